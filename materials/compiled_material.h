@@ -1,0 +1,60 @@
+// What the graph compiler hands to the renderer: GLSL and how to feed it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "materials/value.h"
+
+namespace glint {
+
+enum class ColorSpace { sRGB, Linear };  // sRGB: a colour, decoded at load; Linear: data
+enum class Wrap { Repeat, Clamp, Mirror };
+enum class Filter { Linear, Nearest };
+
+// One texture that the material samples, bound as `layout(binding = kFirstMaterialTexture + index)`.
+struct TextureSlot {
+  std::string sampler;   // the GLSL name
+  std::string node;      // id of the node it came from
+  std::string file;      // absolute path or a "gltf:..." name that the scene resolves; may be empty (white)
+  ColorSpace colorSpace = ColorSpace::sRGB;
+  Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
+  Filter filter = Filter::Linear;
+  bool operator==(const TextureSlot&) const = default;
+};
+inline constexpr int kFirstMaterialTexture = 8;
+inline constexpr int kMostMaterialTextures = 16;
+
+// One member of the std140 block `MaterialParameters` (binding kMaterialParametersBinding).
+struct UniformField {
+  std::string name;      // as the user sees it: the parameter's name
+  std::string node;      // id of the node it came from
+  Value value;           // the current value
+  float minimum = 0, maximum = 1;
+  int offset = 0;        // bytes
+};
+inline constexpr int kMaterialParametersBinding = 1;
+
+struct CompiledMaterial {
+  std::string name;
+  std::string model;     // id of the shading model it asks for
+  // Declares the block and samplers and defines
+  //   void evaluateMaterial(in MaterialInputs i, inout MaterialAttributes m)
+  // for the structs of shaders/common/material.glsl. Deterministic: the same graph, the same text.
+  std::string glsl;
+  uint64_t hash = 0;     // of glsl: programs are shared by it
+  std::vector<UniformField> uniforms;
+  int blockSize = 0;     // bytes of the std140 block, 0 when it has no uniforms
+  std::vector<TextureSlot> textures;
+  // What the graph can make differ from the standard: the renderer drops what is not used.
+  bool writesEmissive = false, writesOpacityMask = false, writesNormal = false,
+       writesModelParameters = false;
+
+  // The block as bytes, from the uniforms' current values.
+  std::vector<std::byte> block() const;
+  UniformField* uniform(std::string_view name);
+};
+
+}  // namespace glint

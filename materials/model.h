@@ -1,0 +1,90 @@
+// A shading model as read from its one file (product.md 3): shaders/models/<id>.glsl.
+//
+// The file is GLSL with a JSON head in its first comment, which starts with the word `glint`:
+//
+//   /*glint
+//   { "id": "ggx", "title": "GGX", "doc": "...", "color": [r, g, b],
+//     "parameters": [{"name": "gamma", "type": "float", "min": 1, "max": 4, "default": 1.5, "doc": "..."}],
+//     "terms": {"D": "GGX", "V": "SmithGGXCorrelated", "F": "Schlick", "diffuse": "Lambert"},
+//     "claims": {"reciprocal": true, "energyConserving": true},
+//     "cite": ["Walter et al. 2007, eq. 33"] }
+//   */
+//
+// After the head the file may define, in GLSL, any of these (shaders/common/shading.glsl has `Shading`;
+// `Parameters` has one member for each declared parameter); what it does not define comes from "terms":
+//
+//   float D(Shading s, Parameters p)          distribution of normals, 1/sr, with its 1/pi
+//   float V(Shading s, Parameters p)          visibility G / (4 NoL NoV)
+//   vec3  F(Shading s, Parameters p)          Fresnel
+//   vec3  diffuse(Shading s, Parameters p)    f of the diffuse part; Lambert when absent
+//   vec3  specular(Shading s, Parameters p)   f of the specular part, instead of D, V and F
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "materials/base/diagnostic.h"
+#include "materials/value.h"
+
+namespace glint {
+
+// A parameter that a model declares: a slider, a pin, a member of `Parameters`, a sweepable name.
+struct ModelParameter {
+  std::string name;
+  std::string title;
+  std::string doc;
+  Value standard;              // Bool, Int, Float, Vec2..4 or Color
+  float minimum = 0, maximum = 1;
+  // First component in the G-buffer's four per-pixel model parameters, or -1: then the parameter is
+  // constant over a material (no pin), because the four are taken by those declared before it.
+  int slot = -1;
+};
+
+struct ShadingModel {
+  std::string id, title, doc;
+  std::array<float, 3> color{};          // of the shading-model view, display-referred 0..1
+  std::vector<ModelParameter> parameters;
+  // Names of shipped terms; empty where the file defines the function itself. `V` may come from "V" or
+  // "G" of the head: a G is divided by 4 NoL NoV.
+  std::string termD, termV, termG, termF, termDiffuse;
+  bool definesD = false, definesV = false, definesF = false, definesDiffuse = false,
+       definesSpecular = false;
+  struct Claims {
+    bool reciprocal = false, energyConserving = false;
+  } claims;
+  std::vector<std::string> cite;
+  std::vector<std::string> uses;         // attributes it reads; all when empty
+  std::filesystem::path file;            // as diagnostics name it
+  std::string source;                    // the file's text, the head blanked so that lines keep their numbers
+  uint64_t hash = 0;                     // of the file's bytes
+
+  const ModelParameter* parameter(std::string_view name) const;
+  // The four per-pixel parameters at their defaults.
+  std::array<float, 4> standardSlots() const;
+};
+
+// Reads one plugin from its text. Every fault of the head is reported, each at its line of the file.
+Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::string& text);
+
+// The GLSL of a model: struct Parameters, the plugin's own text under `#line`, and these functions,
+// which are all that passes call:
+//   Parameters modelParameters(vec4 slots)              per-pixel slots and the constants together
+//   float modelD(Shading, Parameters)                   only for models with a D (hasD)
+//   vec3 modelSpecular(Shading, Parameters)             f, without cosine
+//   vec3 modelDiffuse(Shading, Parameters)
+//   const bool modelHasD
+// `uniform vec4 glintModelConstants[N]` holds the parameters without a slot, one vec4 each in
+// declaration order (N >= 1). `sourceIndex` is the source-string number that GLSL errors in the plugin's
+// own text will carry.
+std::string modelGlsl(const ShadingModel&, int sourceIndex);
+inline constexpr int kModelSourceIndex = 7;
+
+// Turns a driver's shader log into diagnostics at the plugin's own lines; lines of the log that belong to
+// other source strings are named "generated".
+Diagnostics modelErrors(const ShadingModel&, const std::string& driverLog);
+
+}  // namespace glint

@@ -1,0 +1,46 @@
+// Every shading model there is: those of shaders/models/ and of the user's folders.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "materials/model.h"
+
+namespace glint {
+
+using ModelPtr = std::shared_ptr<const ShadingModel>;
+
+class ModelRegistry {
+ public:
+  // Reads the shipped models, then each folder's *.glsl in order. Two files with one id: the first stays,
+  // the second is an error that names both. Faults never stop the others: see problems().
+  explicit ModelRegistry(std::vector<std::filesystem::path> folders = {});
+
+  ModelPtr find(std::string_view id) const;      // null when unknown
+  Result<ModelPtr> get(std::string_view id) const;  // an unknown id names its nearest neighbour
+  std::vector<ModelPtr> all() const;             // sorted by id
+  std::vector<std::string> ids() const;
+  // What is wrong with the files as they are now. A file that broke keeps its last good model.
+  const Diagnostics& problems() const { return problems_; }
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+
+  // Looks at the folders again (cheap: times and sizes first). True when any model or problem changed.
+  bool refresh();
+
+ private:
+  struct File {
+    std::filesystem::file_time_type time;
+    uintmax_t size = 0;
+    ModelPtr model;         // last good one
+    Diagnostics problems;   // of the text as it is now
+  };
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::filesystem::path, File> files_;
+  std::map<std::string, ModelPtr, std::less<>> models_;
+  Diagnostics problems_;
+};
+
+}  // namespace glint

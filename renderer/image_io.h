@@ -1,0 +1,41 @@
+// Image files: .png and .jpg (8 bits), .hdr, .exr and .pfm (linear floats). Everything read is untrusted.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "materials/base/diagnostic.h"
+#include "renderer/image.h"
+
+namespace glint {
+
+// No picture is read that has a side over this, or over 2^28 pixels.
+inline constexpr int kLargestImageSide = 32768;
+
+// PNG or JPEG, told apart by content. 16-bit and palette PNGs become 8 bits; channels 1..4 as in the file
+// (JPEG 1 or 3; CMYK is an error). `place` names the source in diagnostics.
+Result<Image8> decodeImage8(const std::string& bytes, const std::string& place);
+Result<Image8> readImage8(const std::filesystem::path&);
+
+// Radiance .hdr, OpenEXR or .pfm, told apart by content, as RGB. Values stay as they are in the file (so
+// negative, infinite and NaN may occur).
+Result<ImageF> decodeImageF(const std::string& bytes, const std::string& place);
+Result<ImageF> readImageF(const std::filesystem::path&);
+
+// What a picture says of how it was made: command line, versions, GL renderer, content hashes
+// (product.md 4).
+using ImageNotes = std::map<std::string, std::string>;
+
+// .png only; 1, 3 or 4 channels; the notes as PNG text. Written whole or not at all.
+Diagnostics writeImage8(const std::filesystem::path&, const Image8&, const ImageNotes& = {});
+// .exr (half floats, notes as attributes), .hdr or .pfm by extension; 3 channels (4 for .exr).
+Diagnostics writeImageF(const std::filesystem::path&, const ImageF&, const ImageNotes& = {});
+// The notes of a PNG or EXR; empty when it has none.
+Result<ImageNotes> readImageNotes(const std::filesystem::path&);
+
+// The sRGB transfer functions (IEC 61966-2-1), on one value in 0..1.
+float srgbFromLinear(float);
+float linearFromSrgb(float);
+
+}  // namespace glint

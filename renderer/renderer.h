@@ -1,0 +1,86 @@
+// The deferred renderer: scene in, pictures out. One Renderer belongs to one thread and one context.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/gl/context.h"
+#include "renderer/image.h"
+#include "renderer/scene.h"
+
+namespace glint {
+
+enum class Tonemap { None, Aces, AgX, PbrNeutral };
+enum class Background { Environment, Blur, None, Color };
+
+// A picture's view of the scene: the lit one, or one of the buffers.
+struct ViewMode {
+  const char* id;      // "lit", "baseColor", "normal", "modelId", ...
+  const char* title;
+  const char* doc;
+};
+std::span<const ViewMode> viewModes();
+const ViewMode* findViewMode(const std::string& id);
+
+struct RenderSettings {
+  std::string view = "lit";
+  float exposure = 0;                          // EV: the picture is multiplied by 2^exposure
+  Tonemap tonemap = Tonemap::None;
+  Background background = Background::Environment;
+  glm::vec3 backgroundColor{0};                // linear
+  int samples = 1;                             // jittered frames averaged, >= 1
+};
+
+// One camera on one scene in a rectangle (pixels from the bottom left) of the picture. A comparison is many
+// views of one picture; each sees what it would see alone.
+struct View {
+  const Scene* scene = nullptr;
+  Camera camera;
+  glm::ivec4 rectangle{0};                     // x, y, width, height
+};
+
+class Renderer {
+ public:
+  using Progress = std::function<void(const std::string& what, double fraction)>;
+
+  explicit Renderer(const gl::Context&);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+
+  // Long work (environment tables, shaders met for the first time) calls this as it goes, on this thread.
+  void setProgress(Progress);
+
+  // Draws and reads back. `picture` is display-referred sRGB with the settings' exposure and tone map; `linear`
+  // is scene-referred radiance. Never holds NaN: a pixel that would is counted in statistics().
+  Image8 picture(std::span<const View>, glm::ivec2 size, const RenderSettings&);
+  ImageF linear(std::span<const View>, glm::ivec2 size, const RenderSettings&);
+
+  // Draws into a texture of this renderer and waits for the device, so that another context may show it. The
+  // texture stays unchanged until the second next call.
+  unsigned drawToTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&);
+
+  // Adds one more jittered sample to the average shown by drawToTexture; with the same arguments as that call.
+  // `sample` counts from 1.
+  unsigned refineTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&, int sample);
+
+  // Problems of the last frame: plugins that do not compile (their last good version was drawn), and so on.
+  const Diagnostics& problems() const;
+
+  struct Statistics {
+    int triangles = 0, lightGroups = 0, lights = 0;
+    int invalidPixels = 0;                     // NaN or infinite before they were replaced
+  };
+  const Statistics& statistics() const;
+
+  // Forgets everything built from plugins, so that changed files are read again.
+  void invalidateModels();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace glint
