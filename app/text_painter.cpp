@@ -1,0 +1,125 @@
+#include "app/text_painter.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/shipped_files.h"
+
+namespace glint {
+namespace {
+
+// The next code point of UTF-8 text; a malformed byte reads as U+FFFD and is one byte long.
+char32_t nextCodePoint(const std::string& text, size_t& at) {
+  const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(at++);
+  if (first < 0x80) return first;
+  const int more = first >= 0xf0 && first < 0xf8 ? 3 : first >= 0xe0 ? 2 : first >= 0xc2 ? 1 : 0;
+  if (more == 0 || first >= 0xf8) return 0xfffd;
+  char32_t code = first & (0x3fu >> more);
+  for (int i = 0; i < more; ++i) {
+    if (at + i >= text.size() || (byte(at + i) & 0xc0) != 0x80) return 0xfffd;
+    code = (code << 6) | (byte(at + i) & 0x3f);
+  }
+  at += more;
+  return code;
+}
+
+}  // namespace
+
+struct TextPainter::Faces {
+  std::string bytes[2];  // FreeType reads from them for as long as a face lives
+  FT_Library library = nullptr;
+  FT_Face face[2] = {};
+
+  FT_Face at(const TextStyle& style) {
+    const FT_Face chosen = face[style.face == TextFace::SemiBold];
+    const float size = std::clamp(style.size, 4.0f, 512.0f);
+    FT_Set_Char_Size(chosen, 0, static_cast<FT_F26Dot6>(std::lround(size * 64)), 72, 72);
+    return chosen;
+  }
+};
+
+TextPainter::TextPainter() : faces_(std::make_unique<Faces>()) {
+  GLINT_CHECK(FT_Init_FreeType(&faces_->library) == 0);
+  const char* const names[2] = {"fonts/Inter-Regular.otf", "fonts/Inter-SemiBold.otf"};
+  for (int i = 0; i < 2; ++i) {
+    faces_->bytes[i] = shipped::read(names[i]).value_or("");
+    GLINT_CHECK(FT_New_Memory_Face(faces_->library, reinterpret_cast<const FT_Byte*>(faces_->bytes[i].data()),
+                                   static_cast<FT_Long>(faces_->bytes[i].size()), 0, &faces_->face[i]) == 0,
+                "{}", names[i]);
+  }
+}
+
+TextPainter::~TextPainter() {
+  for (FT_Face face : faces_->face) FT_Done_Face(face);
+  FT_Done_FreeType(faces_->library);
+}
+
+float TextPainter::width(const std::string& text, const TextStyle& style) {
+  const FT_Face face = faces_->at(style);
+  float sum = 0;
+  for (size_t at = 0; at < text.size();) {
+    if (FT_Load_Char(face, nextCodePoint(text, at), FT_LOAD_NO_HINTING)) continue;
+    sum += static_cast<float>(face->glyph->linearHoriAdvance) / 65536.0f;
+  }
+  return sum;
+}
+
+float TextPainter::ascent(const TextStyle& style) {
+  return static_cast<float>(faces_->at(style)->size->metrics.ascender) / 64.0f;
+}
+
+float TextPainter::lineHeight(const TextStyle& style) {
+  return static_cast<float>(faces_->at(style)->size->metrics.height) / 64.0f;
+}
+
+std::string TextPainter::fitted(const std::string& text, const TextStyle& style, float available) {
+  if (width(text, style) <= available) return text;
+  const std::string ellipsis = "\u2026";
+  std::string kept = text;
+  while (!kept.empty()) {
+    // One whole code point at a time: its continuation bytes, then its first.
+    while (kept.size() > 1 && (static_cast<unsigned char>(kept.back()) & 0xc0) == 0x80) kept.pop_back();
+    kept.pop_back();
+    if (width(kept + ellipsis, style) <= available) break;
+  }
+  return kept + ellipsis;
+}
+
+void TextPainter::draw(Image8& picture, float x, float baseline, const std::string& text, const TextStyle& style,
+                       TextAlign align) {
+  GLINT_CHECK(picture.channels >= 3, "channels {}", picture.channels);
+  if (align != TextAlign::Left) x -= width(text, style) * (align == TextAlign::Center ? 0.5f : 1.0f);
+  const FT_Face face = faces_->at(style);
+  const int row = static_cast<int>(std::lround(baseline));
+  for (size_t at = 0; at < text.size();) {
+    const char32_t code = nextCodePoint(text, at);
+    // Light hinting snaps to the pixel grid vertically only, so that stems stay sharp and spacing true.
+    if (FT_Load_Char(face, code, FT_LOAD_TARGET_LIGHT)) continue;
+    const FT_GlyphSlot glyph = face->glyph;
+    const float advance = static_cast<float>(glyph->linearHoriAdvance) / 65536.0f;
+    const float left = std::floor(x);
+    FT_Outline_Translate(&glyph->outline, static_cast<FT_Pos>(std::lround((x - left) * 64)), 0);
+    x += advance;
+    if (FT_Render_Glyph(glyph, FT_RENDER_MODE_NORMAL)) continue;
+    for (int j = 0; j < static_cast<int>(glyph->bitmap.rows); ++j) {
+      const int py = row - glyph->bitmap_top + j;
+      if (py < 0 || py >= picture.height) continue;
+      for (int i = 0; i < static_cast<int>(glyph->bitmap.width); ++i) {
+        const int px = static_cast<int>(left) + glyph->bitmap_left + i;
+        if (px < 0 || px >= picture.width) continue;
+        const int cover = glyph->bitmap.buffer[j * glyph->bitmap.pitch + i];
+        uint8_t* pixel = picture.at(px, py);
+        for (int c = 0; c < 3; ++c)
+          pixel[c] = static_cast<uint8_t>((pixel[c] * (255 - cover) + style.color[c] * cover + 127) / 255);
+        if (picture.channels == 4) pixel[3] = static_cast<uint8_t>(std::max<int>(pixel[3], cover));
+      }
+    }
+  }
+}
+
+}  // namespace glint
