@@ -27,5 +27,6 @@ struct Pixels {
 using Image8 = Pixels<uint8_t>;
 // Linear Rec.709, scene-referred.
 using ImageF = Pixels<float>;
+using Image8Ptr = std::shared_ptr<const Image8>;
 
 }  // namespace glint

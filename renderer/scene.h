@@ -18,8 +18,6 @@
 
 namespace glint {
 
-using Image8Ptr = std::shared_ptr<const Image8>;
-
 // A material ready to draw: compiled, with its shading model, parameter values and textures.
 struct SurfaceMaterial {
   std::shared_ptr<const CompiledMaterial> compiled;
