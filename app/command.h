@@ -27,7 +27,7 @@ struct Option {
 // What the user gave: by the option's long name without dashes ("size", "output", "files").
 struct Arguments {
   std::map<std::string, std::vector<std::string>> values;
-  std::string commandLine;                 // as typed, for pictures' notes
+  std::string commandLine;                 // "glint ...", quoted for a shell: for pictures' notes
   gl::Backend backend = gl::Backend::Auto;
   std::vector<std::filesystem::path> modelFolders;
   bool json = false, quiet = false;
@@ -48,7 +48,9 @@ struct Command {
   std::string summary;
   std::vector<Option> options;
   std::vector<std::string> examples;       // whole command lines
-  int (*run)(const Arguments&);            // an exit code; has reported its own errors
+  // An exit code; has reported its own errors. One that returns kBadInput or kNoContext has printed nothing
+  // on stdout: with --json its errors become the document.
+  int (*run)(const Arguments&);
 };
 
 std::span<const Command* const> commands();  // app/commands/table.cpp

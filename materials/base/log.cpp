@@ -4,7 +4,9 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
+#include <mutex>
 
 namespace glint::log {
 namespace {
@@ -19,6 +21,9 @@ spdlog::logger& logger() {
   return *instance;
 }
 
+std::atomic<Diagnostics*> collector{nullptr};
+std::mutex collectorMutex;
+
 // A name in a file may hold line breaks or control characters; a message stays one line.
 std::string oneLine(std::string text) {
   for (char& c : text)
@@ -31,7 +36,13 @@ std::string oneLine(std::string text) {
 void setQuiet(bool quiet) { logger().set_level(quiet ? spdlog::level::err : spdlog::level::info); }
 void info(const std::string& text) { logger().info(oneLine(text)); }
 
+void setCollector(Diagnostics* to) { collector = to; }
+
 void report(const Diagnostic& d) {
+  if (Diagnostics* to = collector) {
+    const std::lock_guard lock(collectorMutex);
+    to->push_back(d);
+  }
   if (d.severity == Severity::Error)
     logger().error("error: {}", oneLine(d.text()));
   else
