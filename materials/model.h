@@ -18,6 +18,10 @@
 //   vec3  F(Shading s, Parameters p)          Fresnel
 //   vec3  diffuse(Shading s, Parameters p)    f of the diffuse part; Lambert when absent
 //   vec3  specular(Shading s, Parameters p)   f of the specular part, instead of D, V and F
+//
+// It may call D, V, F and diffuse whether it defines them or names them, in any order, and every function of
+// shaders/terms/. Its macros end with it. A file may not declare uniforms, inputs, outputs or buffers, nor names
+// that start with `glint`, `gl_` or are Glint's own (main, Shading, Parameters, modelD, ...).
 #pragma once
 
 #include <array>
@@ -54,7 +58,10 @@ struct ShadingModel {
   bool definesD = false, definesV = false, definesF = false, definesDiffuse = false,
        definesSpecular = false;
   struct Claims {
-    bool reciprocal = false, energyConserving = false;
+    bool reciprocal = false;        // f(l, v) = f(v, l)
+    // With F0 = 1 the specular part, and with a white diffuseColor the diffuse part, each sends out no more
+    // than it receives, from every direction. (Their sum may: Lambert is not coupled to the specular part.)
+    bool energyConserving = false;
   } claims;
   std::vector<std::string> cite;
   std::vector<std::string> uses;         // attributes it reads; all when empty
@@ -70,8 +77,8 @@ struct ShadingModel {
 // Reads one plugin from its text. Every fault of the head is reported, each at its line of the file.
 Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::string& text);
 
-// The GLSL of a model: struct Parameters, the plugin's own text under `#line`, and these functions,
-// which are all that passes call:
+// The GLSL of a model, for a program that has shaders/common/shading.glsl before it: the terms, struct
+// Parameters, the plugin's own text under `#line`, and these functions, which are all that passes call:
 //   Parameters modelParameters(vec4 slots)              per-pixel slots and the constants together
 //   float modelD(Shading, Parameters)                   only for models with a D (hasD)
 //   vec3 modelSpecular(Shading, Parameters)             f, without cosine
@@ -79,12 +86,14 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 //   const bool modelHasD
 // `uniform vec4 glintModelConstants[N]` holds the parameters without a slot, one vec4 each in
 // declaration order (N >= 1). `sourceIndex` is the source-string number that GLSL errors in the plugin's
-// own text will carry.
+// own text will carry, and its lines count from kModelLineBase: Mesa honours the line of `#line` and drops the
+// number, others keep both.
 std::string modelGlsl(const ShadingModel&, int sourceIndex);
 inline constexpr int kModelSourceIndex = 7;
+inline constexpr int kModelLineBase = 100000;  // the plugin's line 1 is reported as 100001
 
 // Turns a driver's shader log into diagnostics at the plugin's own lines; lines of the log that belong to
-// other source strings are named "generated".
+// other source strings are named "generated". Notes and warnings are dropped when there are errors.
 Diagnostics modelErrors(const ShadingModel&, const std::string& driverLog);
 
 }  // namespace glint

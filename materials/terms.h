@@ -1,0 +1,29 @@
+// The library of terms (shaders/terms/): found by reading those files, so a new term is one GLSL function
+// `float D_Name(Shading s)`, `float V_Name(Shading s)`, `vec3 F_Name(Shading s)` or `vec3 Fd_Name(Shading s)`.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+enum class TermKind { D, V, F, Diffuse };
+std::string_view name(TermKind);    // as a head's "terms" has it: "D", "V", "F", "diffuse"
+std::string_view prefix(TermKind);  // of the GLSL function: "D_", "V_", "F_", "Fd_"
+
+struct Term {
+  TermKind kind;
+  std::string name;      // without the prefix: "SmithGGXCorrelated"
+  std::string doc;       // the comment above the function
+  std::string function() const { return std::string(prefix(kind)) + name; }
+};
+
+// Every term, in the order of kinds and then of the files. Read from the shipped files at each call.
+std::vector<Term> terms();
+std::vector<std::string> termNames(TermKind);
+
+// The GLSL of all terms, for a program that has shaders/common/shading.glsl before it.
+std::string termsGlsl();
+
+}  // namespace glint

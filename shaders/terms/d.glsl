@@ -1,0 +1,66 @@
+// Distributions of microfacet normals, D(h) in 1/sr, normalised: the integral of D (n.h) over the hemisphere
+// is 1. Each is a function of `Shading`; a head names it without its prefix ("D": "GGX").
+//
+// All use s.sinH2 = 1 - (n.h)^2, not n.h: near the highlight of a smooth surface 1 - (n.h)^2 computed from n.h
+// has no correct digits left in single precision (Karis 2013, eq. 3 is off by 3 % at roughness 0.05).
+#ifndef GLINT_TERMS_D
+#define GLINT_TERMS_D
+
+// Trowbridge and Reitz 1975; Walter et al. 2007, eq. 33; Karis 2013, eq. 3: alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1)^2).
+float D_GGX(Shading s) {
+  float q = s.alpha / (s.alpha * s.alpha * (1.0 - s.sinH2) + s.sinH2);
+  return q * q * (1.0 / kPi);
+}
+
+// Beckmann and Spizzichino 1963; Walter et al. 2007, eq. 25: exp(-tan^2 / alpha^2) / (pi alpha^2 (n.h)^4).
+float D_Beckmann(Shading s) {
+  // Below cos^2 = 1e-3 the exponential has reached zero for every alpha; the floor keeps 0 * infinity away.
+  float cos2 = max(1.0 - s.sinH2, 1e-3);
+  float k = 1.0 / (s.alpha * s.alpha * cos2);
+  return exp(-s.sinH2 * k) * k / (kPi * cos2);
+}
+
+// ln(x) from x in (0, 1] and 1 - x, to single precision also near 1, where log(x) alone would only see the
+// digits of 1 - x that x has room for.
+float preciseLog(float x, float oneMinusX) {
+  float t = oneMinusX / (1.0 + x);  // ln(x) = -2 artanh(t)
+  float t2 = t * t;
+  float series = -2.0 * t * (1.0 + t2 * (1.0 / 3.0 + t2 * (1.0 / 5.0 + t2 * (1.0 / 7.0))));
+  return x > 0.7 ? series : log(max(x, 1e-30));
+}
+
+// Blinn 1977, with the exponent 2 / alpha^2 - 2 of Walter et al. 2007, sec. 5.2, and Karis 2013 ("Specular BRDF
+// reference"): (n.h)^(2 / alpha^2 - 2) / (pi alpha^2).
+float D_Blinn(Shading s) {
+  float k = 1.0 / (s.alpha * s.alpha);
+  return exp((k - 1.0) * preciseLog(1.0 - s.sinH2, s.sinH2)) * k * (1.0 / kPi);
+}
+
+// Generalised Trowbridge-Reitz, Burley 2012, eq. 4 (appendix B), for gamma > 0:
+//   (gamma - 1)(alpha^2 - 1) / (pi (1 - alpha^(2 (1 - gamma))) (1 + (alpha^2 - 1)(n.h)^2)^gamma)
+// gamma 2 is GGX; a smaller one has a longer tail. The normalisation is 0/0 at gamma = 1 and at alpha = 1; here
+// it is written as two factors that go smoothly to 1 there, with x = (1 - gamma) ln(alpha^2):
+//   x / (e^x - 1)  times  (1 - alpha^2) / -ln(alpha^2)
+// This one takes an argument of its own, so heads name GTR1 or GTR1_5, or a model's own D calls it.
+float D_GTR(Shading s, float gamma) {
+  float alpha2 = s.alpha * s.alpha;
+  float logAlpha2 = preciseLog(alpha2, 1.0 - alpha2);
+  float x = (1.0 - gamma) * logAlpha2;
+  // (e^x - 1) / x, whose difference cancels for small x.
+  float growth = abs(x) < 0.5 ? 1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0)))))
+                              : (exp(x) - 1.0) / x;
+  float y = 1.0 - alpha2;
+  float shape = y < 1e-4 ? 1.0 - 0.5 * y : -y / logAlpha2;
+  return shape / (kPi * growth) * pow(s.sinH2 * y + alpha2, -gamma);
+}
+
+// Burley 2012, sec. 5.4: the clear coat's distribution, gamma = 1.
+float D_GTR1(Shading s) { return D_GTR(s, 1.0); }
+
+// Gamma 1.5: half way between Berry and GGX, as the thesis (Herman, sec. 4.4.1) takes it.
+float D_GTR1_5(Shading s) { return D_GTR(s, 1.5); }
+
+// Gamma 3: a shorter tail than GGX has.
+float D_GTR3(Shading s) { return D_GTR(s, 3.0); }
+
+#endif
