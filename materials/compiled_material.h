@@ -37,6 +37,22 @@ struct UniformField {
 };
 inline constexpr int kMaterialParametersBinding = 1;
 
+// Where one of the model's parameters comes from, in the order of ShadingModel::parameters.
+struct ModelParameterSource {
+  std::string name;
+  Value value;           // when it is constant
+  int uniform = -1;      // index into uniforms, whose value it is over the whole surface
+  bool varies = false;   // computed per pixel; then `value` is the model's default
+};
+
+// How much the compiler did: `glint compile --stats`.
+struct CompileStats {
+  int nodes = 0;         // in the document and, as often as they are called, in its functions
+  int statements = 0;    // that were left
+  int folded = 0, shared = 0, pruned = 0;
+  double milliseconds = 0;
+};
+
 struct CompiledMaterial {
   std::string name;
   std::string model;     // id of the shading model it asks for
@@ -51,10 +67,14 @@ struct CompiledMaterial {
   // What the graph can make differ from the standard: the renderer drops what is not used.
   bool writesEmissive = false, writesOpacityMask = false, writesNormal = false,
        writesModelParameters = false;
+  std::vector<ModelParameterSource> modelParameters;
+  CompileStats stats;
 
   // The block as bytes, from the uniforms' current values.
   std::vector<std::byte> block() const;
   UniformField* uniform(std::string_view name);
+  // The model's parameters as they are now; where one varies over the surface, its default.
+  std::vector<Value> modelParameterValues() const;
 };
 
 }  // namespace glint
