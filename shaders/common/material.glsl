@@ -1,10 +1,11 @@
 // What a material graph reads, and what it fills in.
 
-// The interpolated surface, all in world space.
+// The interpolated surface, in world space but for localPosition.
 struct MaterialInputs {
   vec2 uv0, uv1;
   vec4 vertexColor;
   vec3 position;   // metres
+  vec3 localPosition;  // metres, in the mesh's own space: patterns stay with the object
   vec3 normal;     // geometric, unit
   vec3 tangent;    // unit
   vec3 bitangent;  // unit
