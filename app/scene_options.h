@@ -1,0 +1,75 @@
+// The options that `render` and `compare` share, from words to values. Nothing is loaded here: see
+// app/scene_loader.h.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/command.h"
+#include "materials/base/diagnostic.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+
+inline constexpr int kLargestPictureSide = 8192;  // pixels
+inline constexpr int kMostSamples = 1024;
+
+// NAME=VALUE, as typed: its type is known once the model and material are.
+struct NamedText {
+  std::string name, text;
+};
+
+// "ggx" or "burley:gamma=2".
+struct ModelChoice {
+  std::string id;
+  std::vector<NamedText> parameters;
+};
+
+// What --camera gave; the rest frames the scene.
+struct CameraChoice {
+  std::optional<glm::vec3> eye, target;
+  std::optional<float> fovY;         // radians
+  std::optional<float> orthoHeight;  // metres
+
+  bool any() const { return eye || target || fovY || orthoHeight; }
+  void apply(Camera&) const;
+};
+
+struct SceneOptions {
+  std::string mesh;                  // a shape or a glTF file; empty: the command's own
+  std::string material;              // a library name or a .json file; empty: the mesh's own, or the default
+  std::optional<ModelChoice> model;
+  std::vector<NamedText> settings;   // --set, in order
+  std::string environment = "studio";
+  float environmentRotation = 0;     // radians
+  float environmentIntensity = 1;
+  std::vector<Light> lights;
+  CameraChoice camera;
+  bool backgroundGiven = false;
+  glm::ivec2 size{1280, 720};
+  RenderSettings render;
+};
+
+// --mesh to --view, to append to a command's own options.
+std::vector<Option> sceneOptionTable();
+
+// Every fault of every option, each with the option as its place.
+Result<SceneOptions> parseSceneOptions(const Arguments&);
+
+// "A:p=v,q=w,B": a word with '=' and no ':' before it belongs to the model on its left.
+Result<std::vector<ModelChoice>> parseModelList(const std::string& text, const std::string& place);
+// "M1,M2": names, none empty.
+Result<std::vector<std::string>> parseNameList(const std::string& text, const std::string& place);
+// One light, "directional:dir=1/1/1,lux=3.14" or "point:pos=0/2/1,lumens=800,radius=10".
+Result<Light> parseLight(const std::string& text);
+// "512x512"; both sides 1..kLargestPictureSide.
+Result<glm::ivec2> parseSize(const std::string& text, const std::string& place);
+// A whole number in a range; the error names the range.
+Result<int> parseWhole(const std::string& text, int low, int high, const std::string& place);
+// A finite number in a range.
+Result<float> parseNumber(const std::string& text, float low, float high, const std::string& place);
+
+}  // namespace glint
