@@ -53,9 +53,9 @@ Result<glm::vec3> parseColor(const std::string& text, const std::string& place) 
 }
 
 // "key=value,key=value" with each key known and given once.
-Result<std::vector<NamedText>> parseKeys(const std::string& text, const std::string& place,
+Result<std::vector<Setting>> parseKeys(const std::string& text, const std::string& place,
                                          const std::vector<std::string>& known) {
-  std::vector<NamedText> result;
+  std::vector<Setting> result;
   Diagnostics problems;
   for (const std::string& part : split(text, ',')) {
     const size_t equals = part.find('=');
@@ -66,7 +66,7 @@ Result<std::vector<NamedText>> parseKeys(const std::string& text, const std::str
     const std::string key = part.substr(0, equals);
     if (std::find(known.begin(), known.end(), key) == known.end())
       problems.push_back(error(place, fmt::format("unknown key '{}'", key), suggestion(key, known)));
-    else if (std::any_of(result.begin(), result.end(), [&](const NamedText& r) { return r.name == key; }))
+    else if (std::any_of(result.begin(), result.end(), [&](const Setting& r) { return r.name == key; }))
       problems.push_back(error(place, fmt::format("'{}' is given twice", key), "give it once"));
     else
       result.push_back({key, part.substr(equals + 1)});
@@ -107,11 +107,11 @@ Result<CameraChoice> parseCamera(const std::string& text) {
   return camera;
 }
 
-Result<NamedText> parseAssignment(const std::string& text, const std::string& place) {
+Result<Setting> parseAssignment(const std::string& text, const std::string& place) {
   const size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
     return error(place, fmt::format("'{}' is not NAME=VALUE", text), "for example roughness=0.3 or baseColor=0.8/0.1/0.1");
-  return NamedText{text.substr(0, equals), text.substr(equals + 1)};
+  return Setting{text.substr(0, equals), text.substr(equals + 1)};
 }
 
 Result<Tonemap> parseTonemap(const std::string& text) {
@@ -302,7 +302,7 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
     }
   }
   for (const std::string& text : arguments.all("set")) {
-    NamedText setting;
+    Setting setting;
     if (keep(problems, parseAssignment(text, "--set"), setting)) options.settings.push_back(setting);
   }
   float degrees = 0;

@@ -10,6 +10,7 @@
 
 #include "app/command.h"
 #include "materials/base/diagnostic.h"
+#include "renderer/material_settings.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -17,15 +18,10 @@ namespace glint {
 inline constexpr int kLargestPictureSide = 8192;  // pixels
 inline constexpr int kMostSamples = 1024;
 
-// NAME=VALUE, as typed: its type is known once the model and material are.
-struct NamedText {
-  std::string name, text;
-};
-
 // "ggx" or "burley:gamma=2".
 struct ModelChoice {
   std::string id;
-  std::vector<NamedText> parameters;
+  std::vector<Setting> parameters;
 };
 
 // What --camera gave; the rest frames the scene.
@@ -42,7 +38,7 @@ struct SceneOptions {
   std::string mesh;                  // a shape or a glTF file; empty: the command's own
   std::string material;              // a library name or a .json file; empty: the mesh's own, or the default
   std::optional<ModelChoice> model;
-  std::vector<NamedText> settings;   // --set, in order
+  std::vector<Setting> settings;   // --set, in order
   std::string environment = "studio";
   float environmentRotation = 0;     // radians
   float environmentIntensity = 1;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
+#include <set>
 
 #include "renderer/mesh.h"
 
@@ -17,64 +17,7 @@ std::optional<float> number(std::string_view text) {
   return value;
 }
 
-// A scalar given for a colour or vector fills it; other types must agree in their number of components.
-std::optional<Value> fitted(const Value& value, ValueType type) {
-  Value result = value;
-  result.type = type;
-  const int have = componentCount(value.type), want = componentCount(type);
-  if (have == 0 || want == 0) return std::nullopt;
-  if (have == 1)
-    std::fill(result.v.begin(), result.v.begin() + want, value.v[0]);
-  else if (have != want)
-    return std::nullopt;
-  if (type == ValueType::Bool) result.v[0] = value.v[0] != 0;
-  if (type == ValueType::Int) result.v[0] = std::round(value.v[0]);
-  return result;
-}
-
 }  // namespace
-
-Diagnostics applySetting(SurfaceMaterial& material, const Setting& setting, const std::string& place) {
-  const auto misfit = [&](ValueType wanted) {
-    return Diagnostics{error(place, fmt::format("'{}' is a {}, not a {}", setting.name, name(wanted),
-                                                name(setting.value.type)))};
-  };
-  if (material.compiled) {
-    auto changed = std::make_shared<CompiledMaterial>(*material.compiled);
-    if (UniformField* field = changed->uniform(setting.name)) {
-      const auto value = fitted(setting.value, field->value.type);
-      if (!value) return misfit(field->value.type);
-      field->value = *value;
-      // Only this member is copied: the block may hold values newer than the compiled ones.
-      const std::vector<std::byte> block = changed->block();
-      material.block.resize(block.size());
-      const size_t bytes = 4 * size_t(componentCount(field->value.type));
-      std::memcpy(&material.block[size_t(field->offset)], &block[size_t(field->offset)], bytes);
-      material.compiled = std::move(changed);
-      return {};
-    }
-  }
-  if (material.model) {
-    const auto& parameters = material.model->parameters;
-    if (material.modelParameters.size() != parameters.size()) {
-      material.modelParameters.clear();
-      for (const ModelParameter& parameter : parameters) material.modelParameters.push_back(parameter.standard);
-    }
-    for (size_t i = 0; i < parameters.size(); ++i) {
-      if (parameters[i].name != setting.name) continue;
-      const auto value = fitted(setting.value, parameters[i].standard.type);
-      if (!value) return misfit(parameters[i].standard.type);
-      material.modelParameters[i] = *value;
-      return {};
-    }
-  }
-  std::vector<std::string> known;
-  if (material.compiled)
-    for (const UniformField& field : material.compiled->uniforms) known.push_back(field.name);
-  if (material.model)
-    for (const ModelParameter& parameter : material.model->parameters) known.push_back(parameter.name);
-  return {error(place, fmt::format("nothing is named '{}'", setting.name), suggestion(setting.name, known))};
-}
 
 float Sweep::value(int index) const {
   return count < 2 ? from : from + (to - from) * float(index) / float(count - 1);
@@ -109,45 +52,54 @@ Camera comparisonCamera() {
 }
 
 Result<Comparison> makeComparison(const Scene& stage, std::span<const ComparisonRow> rows,
-                                  std::span<const ComparisonColumn> columns) {
+                                  std::span<const ComparisonColumn> columns, const std::string& place,
+                                  const MaterialSources& sources, Diagnostics& problems) {
   Comparison comparison;
   comparison.camera = comparisonCamera();
   for (const ComparisonRow& row : rows) comparison.rowTitles.push_back(row.title);
   for (const ComparisonColumn& column : columns) comparison.columnTitles.push_back(column.title);
   const MeshPtr sphere = stage.instances.empty() ? sphereMesh() : nullptr;
-  // A setting counts as unknown only when no cell has it: a model parameter belongs to some rows only.
-  Diagnostics first;
-  std::vector<std::string> known, failed;
+
+  // A model parameter belongs to some rows only; a name that no cell knows is given to all, to be refused.
+  std::set<std::string> known;
+  const auto eachSetting = [&](auto&& visit) {
+    for (const ComparisonRow& row : rows)
+      for (const ComparisonColumn& column : columns)
+        for (const auto* settings : {&row.settings, &column.settings})
+          for (const Setting& setting : *settings) visit(row, column, setting);
+  };
+  eachSetting([&](const ComparisonRow& row, const ComparisonColumn& column, const Setting& setting) {
+    if (takesSetting(*column.material, *row.model, setting.name)) known.insert(setting.name);
+  });
+
+  Diagnostics faults, found;
+  const auto addOnce = [](Diagnostics& to, const Diagnostics& from) {
+    for (const Diagnostic& d : from)
+      if (std::find(to.begin(), to.end(), d) == to.end()) to.push_back(d);
+  };
   for (const ComparisonRow& row : rows) {
     for (const ComparisonColumn& column : columns) {
-      Scene scene = stage;
-      SurfaceMaterial material = column.material;
-      if (row.model != material.model) material.modelParameters.clear();
-      material.model = row.model;
-      for (const auto* settings : {&row.settings, &column.settings}) {
-        for (const Setting& setting : *settings) {
-          const Diagnostics problems = applySetting(material, setting, "comparison");
-          if (problems.empty()) {
-            known.push_back(setting.name);
-          } else {
-            failed.push_back(setting.name);
-            first.push_back(problems.front());
-          }
-        }
+      std::vector<Setting> settings;
+      for (const auto* from : {&row.settings, &column.settings})
+        for (const Setting& setting : *from)
+          if (!known.count(setting.name) || takesSetting(*column.material, *row.model, setting.name))
+            settings.push_back(setting);
+      Diagnostics cellProblems;
+      auto surface = surfaceWith(*column.material, row.model, settings, place, sources, cellProblems);
+      addOnce(found, cellProblems);
+      if (!surface) {
+        addOnce(faults, surface.diagnostics());
+        continue;
       }
-      scene.materials.assign(1, std::move(material));
+      Scene scene = stage;
+      scene.materials.assign(1, std::move(*surface));
       if (sphere) scene.instances.push_back({sphere, glm::mat4(1), 0});
       for (Instance& instance : scene.instances) instance.material = 0;
       comparison.scenes.push_back(std::move(scene));
     }
   }
-  Diagnostics problems;
-  for (size_t i = 0; i < failed.size(); ++i)
-    if (std::find(known.begin(), known.end(), failed[i]) == known.end()) {
-      known.push_back(failed[i]);  // once
-      problems.push_back(first[i]);
-    }
-  if (!problems.empty()) return problems;
+  problems.insert(problems.end(), found.begin(), found.end());
+  if (!faults.empty()) return faults;
   return comparison;
 }
 

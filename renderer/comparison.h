@@ -9,20 +9,11 @@
 
 #include "materials/base/diagnostic.h"
 #include "materials/model_registry.h"
+#include "renderer/material_settings.h"
 #include "renderer/renderer.h"
 #include "renderer/scene.h"
 
 namespace glint {
-
-// A value to give to a parameter of the material, or else of the shading model, by name.
-struct Setting {
-  std::string name;
-  Value value;
-};
-
-// Sets a uniform of the compiled material or, when it has none of that name, a parameter of the model.
-// `place` names the source in diagnostics. Errors: no such name; the value does not fit its type.
-Diagnostics applySetting(SurfaceMaterial&, const Setting&, const std::string& place);
 
 // "roughness=0..1:5": COUNT values evenly from FROM to TO, both included.
 struct Sweep {
@@ -43,7 +34,7 @@ struct ComparisonRow {
 };
 struct ComparisonColumn {
   std::string title;
-  SurfaceMaterial material;               // its model is replaced by the row's
+  MaterialPtr material;                   // compiled for each row's model
   std::vector<Setting> settings;          // a sweep's value
 };
 
@@ -58,10 +49,12 @@ struct Comparison {
 };
 
 // `stage` has what every cell shares: instances (all drawn with the cell's material), lights, environment.
-// A stage without instances gets a sphere of radius 1 m at the origin. Errors: settings that no cell's
-// material or model has.
+// A stage without instances gets a sphere of radius 1 m at the origin. A setting that some cell's material and
+// model do not have is left out there; one that none has is an error, as is all that surfaceWith() refuses.
+// `place` names the source of the settings; `problems` is as for surfaceWith().
 Result<Comparison> makeComparison(const Scene& stage, std::span<const ComparisonRow>,
-                                  std::span<const ComparisonColumn>);
+                                  std::span<const ComparisonColumn>, const std::string& place,
+                                  const MaterialSources&, Diagnostics& problems);
 
 // A camera that leaves a thin margin round the unit sphere in a square cell.
 Camera comparisonCamera();
