@@ -24,49 +24,50 @@ glm::mat4 Camera::clipFromView(float aspect) const {
 
 namespace {
 
-// Smallest box around every instance, in world space. Empty scenes give the unit box.
-void sceneBounds(const Scene& scene, glm::vec3& low, glm::vec3& high) {
-  low = glm::vec3(std::numeric_limits<float>::max());
-  high = -low;
+// Enough places on every instance, in world space, to frame them by. Empty scenes give the unit box.
+std::vector<glm::vec3> outline(const Scene& scene) {
+  constexpr size_t kMostPoints = 100'000;
+  size_t vertices = 0;
+  for (const Instance& instance : scene.instances)
+    if (instance.mesh) vertices += instance.mesh->vertices.size();
+  const size_t step = vertices / kMostPoints + 1;
+  std::vector<glm::vec3> points;
   for (const Instance& instance : scene.instances) {
-    if (!instance.mesh || instance.mesh->vertices.empty()) continue;
-    glm::vec3 meshLow, meshHigh;
-    instance.mesh->bounds(meshLow, meshHigh);
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::vec3 p{corner & 1 ? meshHigh.x : meshLow.x, corner & 2 ? meshHigh.y : meshLow.y,
-                        corner & 4 ? meshHigh.z : meshLow.z};
-      const glm::vec3 world = instance.worldFromModel * glm::vec4(p, 1);
-      low = glm::min(low, world);
-      high = glm::max(high, world);
-    }
+    if (!instance.mesh) continue;
+    const auto& all = instance.mesh->vertices;
+    for (size_t i = 0; i < all.size(); i += step)
+      points.emplace_back(instance.worldFromModel * glm::vec4(all[i].position, 1));
   }
-  if (low.x > high.x) {
-    low = glm::vec3(-1);
-    high = glm::vec3(1);
-  }
+  if (points.empty())
+    for (int corner = 0; corner < 8; ++corner)
+      points.emplace_back(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+  return points;
 }
 
 }  // namespace
 
 Camera frameScene(const Scene& scene, float aspect) {
-  glm::vec3 low, high;
-  sceneBounds(scene, low, high);
+  const std::vector<glm::vec3> points = outline(scene);
+  glm::vec3 low(std::numeric_limits<float>::max()), high = -low;
+  for (const glm::vec3& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
   Camera camera;
   camera.target = (low + high) * 0.5f;
   // A little to the right and above: three sides of a box show.
   const glm::vec3 toEye = glm::normalize(glm::vec3(0.45f, 0.28f, 1.0f));
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), toEye)), up = glm::cross(toEye, right);
-  const glm::vec3 half = glm::max((high - low) * 0.5f, glm::vec3(1e-6f));
-  // The distance at which every corner of the box lies inside the frustum with a margin.
-  const float margin = 0.94f;
-  const float tanY = std::tan(camera.fovY / 2) * margin, tanX = tanY * aspect;
-  float distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 p = half * glm::vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+  // The distance at which every point lies inside the frustum with a margin.
+  constexpr float kMargin = 0.90f;
+  const float tanY = std::tan(camera.fovY / 2) * kMargin, tanX = tanY * aspect;
+  const float radius = std::max(glm::length(high - low) * 0.5f, 1e-6f);
+  float distance = radius;
+  for (const glm::vec3& point : points) {
+    const glm::vec3 p = point - camera.target;
     const float across = std::max(std::abs(glm::dot(p, right)) / tanX, std::abs(glm::dot(p, up)) / tanY);
     distance = std::max(distance, across + glm::dot(p, toEye));
   }
-  const float radius = glm::length(half);
   camera.eye = camera.target + toEye * distance;
   camera.nearPlane = std::max(distance - radius * 1.05f, distance * 0.01f);
   camera.farPlane = distance + radius * 4;
