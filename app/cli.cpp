@@ -87,6 +87,16 @@ size_t firstWord(const std::vector<std::string>& words) {
   return words.size();
 }
 
+bool isOptionOf(const std::vector<Option>& options, const std::string& word) {
+  const std::string given = word.substr(0, word.find('='));
+  return std::any_of(options.begin(), options.end(), [&](const Option& option) {
+    const auto names = spellings(option);
+    return std::find(names.begin(), names.end(), given) != names.end();
+  });
+}
+
+bool isHelpOrVersion(const std::string& word) { return word == "--version" || word == "--help" || word == "-h"; }
+
 bool looksLikeFile(const std::string& word) {
   std::error_code ignored;
   return word.find_first_of("./") != std::string::npos || std::filesystem::exists(word, ignored);
@@ -157,13 +167,16 @@ Result<Parsed> parse(std::vector<std::string> words) {
   }
 
   // No command: the editor, unless the word can only be a misspelt command.
-  const bool asksAboutGlint = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    return word == "--version" || word == "--help" || word == "-h";
-  });
+  const bool asksAboutGlint = std::any_of(words.begin(), words.end(), isHelpOrVersion);
   const size_t first = firstWord(words);
   const bool named = first < words.size() && findCommand(words[first]);
-  if (!named && first < words.size() && !looksLikeFile(words[first]))
+  if (!named && first < words.size() && !looksLikeFile(words[first])) {
+    // After a misspelt option its value looks like a command.
+    for (size_t i = 0; i < first; ++i)
+      if (words[i][0] == '-' && !isOptionOf(commonOptions(), words[i]) && !isHelpOrVersion(words[i]))
+        return unknownOption(words[i], findCommand("edit"));
     return error(words[first], "no such command", suggestion(words[first], commandNames()));
+  }
   if (!named && !(asksAboutGlint && first == words.size()) && findCommand("edit"))
     words.insert(words.begin() + static_cast<std::ptrdiff_t>(first), "edit");
 

@@ -1,7 +1,6 @@
 #include "app/scene_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -12,31 +11,13 @@ namespace {
 
 constexpr float kLargest = 1e9f;  // any length or amount of light: beyond it floats lose what is drawn
 
-std::optional<double> finite(std::string_view text) {
-  double value = 0;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (size_t at = 0;;) {
-    const size_t next = text.find(separator, at);
-    parts.push_back(text.substr(at, next - at));
-    if (next == std::string::npos) return parts;
-    at = next + 1;
-  }
-}
-
 // "x/y/z"
 Result<glm::vec3> parseVector(const std::string& text, const std::string& place) {
-  const std::vector<std::string> parts = split(text, '/');
+  const std::vector<std::string> parts = splitText(text, '/');
   glm::vec3 result{0};
   bool good = parts.size() == 3;
   for (int i = 0; good && i < 3; ++i) {
-    const auto value = finite(parts[size_t(i)]);
+    const auto value = finiteNumber(parts[size_t(i)]);
     good = value && std::abs(*value) <= kLargest;
     if (good) result[i] = static_cast<float>(*value);
   }
@@ -57,7 +38,7 @@ Result<std::vector<Setting>> parseKeys(const std::string& text, const std::strin
                                          const std::vector<std::string>& known) {
   std::vector<Setting> result;
   Diagnostics problems;
-  for (const std::string& part : split(text, ',')) {
+  for (const std::string& part : splitText(text, ',')) {
     const size_t equals = part.find('=');
     if (equals == std::string::npos || equals == 0) {
       problems.push_back(error(place, fmt::format("'{}' is not key=value", part), "known keys: " + fmt::format("{}", fmt::join(known, ", "))));
@@ -167,34 +148,6 @@ std::vector<Option> sceneOptionTable() {
   };
 }
 
-Result<float> parseNumber(const std::string& text, float low, float high, const std::string& place) {
-  const auto value = finite(text);
-  if (!value) return error(place, fmt::format("'{}' is not a number", text), fmt::format("write a number from {:g} to {:g}", low, high));
-  if (*value < low || *value > high)
-    return error(place, fmt::format("{} is out of range", text), fmt::format("{:g} to {:g} are allowed", low, high));
-  return static_cast<float>(*value);
-}
-
-Result<int> parseWhole(const std::string& text, int low, int high, const std::string& place) {
-  const auto value = finite(text);
-  if (!value || *value != std::floor(*value))
-    return error(place, fmt::format("'{}' is not a whole number", text), fmt::format("{} to {} are allowed", low, high));
-  if (*value < low || *value > high)
-    return error(place, fmt::format("{} is out of range", text), fmt::format("{} to {} are allowed", low, high));
-  return static_cast<int>(*value);
-}
-
-Result<glm::ivec2> parseSize(const std::string& text, const std::string& place) {
-  const size_t x = text.find('x');
-  const auto width = finite(std::string_view(text).substr(0, x));
-  const auto height = x == std::string::npos ? std::nullopt : finite(std::string_view(text).substr(x + 1));
-  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height))
-    return error(place, fmt::format("'{}' is not a size", text), "write WIDTHxHEIGHT, for example 1280x720");
-  if (std::min(*width, *height) < 1 || std::max(*width, *height) > kLargestPictureSide)
-    return error(place, fmt::format("{} is out of range", text), fmt::format("each side may be 1 to {} pixels", kLargestPictureSide));
-  return glm::ivec2(static_cast<int>(*width), static_cast<int>(*height));
-}
-
 Result<Light> parseLight(const std::string& text) {
   const std::string place = "--light";
   const size_t colon = text.find(':');
@@ -250,17 +203,10 @@ Result<Light> parseLight(const std::string& text) {
   return light;
 }
 
-Result<std::vector<std::string>> parseNameList(const std::string& text, const std::string& place) {
-  std::vector<std::string> names = split(text, ',');
-  if (std::find(names.begin(), names.end(), "") != names.end())
-    return error(place, fmt::format("'{}' has an empty name", text), "write A,B,C without spaces");
-  return names;
-}
-
 Result<std::vector<ModelChoice>> parseModelList(const std::string& text, const std::string& place) {
   std::vector<ModelChoice> models;
   Diagnostics problems;
-  for (const std::string& part : split(text, ',')) {
+  for (const std::string& part : splitText(text, ',')) {
     const size_t colon = part.find(':'), equals = part.find('=');
     std::string parameter;
     if (equals != std::string::npos && (colon == std::string::npos || equals < colon)) {

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/option_values.h"
 #include "materials/base/diagnostic.h"
 #include "renderer/material_settings.h"
 #include "renderer/renderer.h"
 
 namespace glint {
 
-inline constexpr int kLargestPictureSide = 8192;  // pixels
 inline constexpr int kMostSamples = 1024;
 
 // "ggx" or "burley:gamma=2".
@@ -57,15 +57,6 @@ Result<SceneOptions> parseSceneOptions(const Arguments&);
 
 // "A:p=v,q=w,B": a word with '=' and no ':' before it belongs to the model on its left.
 Result<std::vector<ModelChoice>> parseModelList(const std::string& text, const std::string& place);
-// "M1,M2": names, none empty.
-Result<std::vector<std::string>> parseNameList(const std::string& text, const std::string& place);
 // One light, "directional:dir=1/1/1,lux=3.14" or "point:pos=0/2/1,lumens=800,radius=10".
 Result<Light> parseLight(const std::string& text);
-// "512x512"; both sides 1..kLargestPictureSide.
-Result<glm::ivec2> parseSize(const std::string& text, const std::string& place);
-// A whole number in a range; the error names the range.
-Result<int> parseWhole(const std::string& text, int low, int high, const std::string& place);
-// A finite number in a range.
-Result<float> parseNumber(const std::string& text, float low, float high, const std::string& place);
-
 }  // namespace glint

@@ -3,10 +3,11 @@
 
 namespace glint {
 
+extern const Command kDiffCommand;
 extern const Command kInfoCommand;
 
 std::span<const Command* const> commands() {
-  static const Command* const table[] = {&kInfoCommand};
+  static const Command* const table[] = {&kDiffCommand, &kInfoCommand};
   return table;
 }
 
