@@ -13,6 +13,8 @@
 
 namespace glint {
 
+class EnvironmentLighting;
+
 enum class Tonemap { None, Aces, AgX, PbrNeutral };
 enum class Background { Environment, Blur, None, Color };
 
@@ -75,8 +77,15 @@ class Renderer {
   };
   const Statistics& statistics() const;
 
-  // Forgets everything built from plugins, so that changed files are read again.
+  // Forgets what was concluded about plugins, so that shipped terms that changed are read again. Plugins that the
+  // registry read anew need no call: they are other objects.
   void invalidateModels();
+
+  // Repeats the lighting of the last drawToTexture() or one-sample picture() on its G-buffer and waits for it: what
+  // the shading models alone cost.
+  void relight();
+
+  EnvironmentLighting& environmentLighting();
 
  private:
   struct State;

@@ -1,0 +1,33 @@
+// Material textures on the device.
+#pragma once
+
+#include <map>
+#include <unordered_map>
+
+#include "renderer/gl/objects.h"
+#include "renderer/scene.h"
+
+namespace glint {
+
+// Uploads each image once for each colour space, with a full mip chain, always as four 8-bit channels: software GL
+// compiles a shader anew for every texture format it meets.
+class DeviceTextures {
+ public:
+  // Binds the slot's texture and sampler to a unit; a null image is white.
+  void bind(GLuint unit, const Image8Ptr&, const TextureSlot&);
+  void forgetUnused();
+
+ private:
+  struct Entry {
+    std::weak_ptr<const Image8> source;
+    gl::Texture texture;
+  };
+  GLuint texture(const Image8Ptr&, ColorSpace);
+  GLuint sampler(Filter, Wrap s, Wrap t);
+
+  std::map<std::pair<const Image8*, ColorSpace>, Entry> textures_;
+  std::map<std::tuple<Filter, Wrap, Wrap>, gl::Sampler> samplers_;
+  gl::Texture white_;
+};
+
+}  // namespace glint

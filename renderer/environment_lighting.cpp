@@ -1,0 +1,293 @@
+#include "renderer/environment_lighting.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "materials/base/hash.h"
+#include "renderer/disk_cache.h"
+#include "renderer/lobe.h"
+
+namespace glint {
+namespace {
+
+constexpr int kLobeWidth = 1024;
+// Part of every key on disk: raise it when what is stored changes its meaning.
+constexpr uint64_t kCacheVersion = 1;
+
+}  // namespace
+
+ModelShader::ModelShader(std::shared_ptr<const ShadingModel> m)
+    : model(std::move(m)), glsl(modelGlsl(*model, kModelSourceIndex)), hash(hashText(glsl)) {}
+
+ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::vector<Value>& values) {
+  ModelSetting setting;
+  const auto& parameters = shader->model->parameters;
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    const Value& value = i < values.size() ? values[i] : parameters[i].standard;
+    if (parameters[i].slot < 0) {
+      setting.constants.emplace_back(value.v[0], value.v[1], value.v[2], value.v[3]);
+    } else {
+      for (int c = 0; c < componentCount(value.type) && parameters[i].slot + c < 4; ++c)
+        setting.slots[static_cast<size_t>(parameters[i].slot + c)] = value.v[static_cast<size_t>(c)];
+    }
+  }
+  if (setting.constants.empty()) setting.constants.emplace_back(0.0f);
+  setting.shader = std::move(shader);
+  return setting;
+}
+
+uint64_t ModelSetting::key() const {
+  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash ^ kCacheVersion);
+  return hashBytes(constants.data(), constants.size() * sizeof(glm::vec4), h);
+}
+
+void ModelSetting::apply(const gl::Program& program) const {
+  program.set4("standardParameters", slots.data());
+  program.set4("glintModelConstants", &constants[0].x, static_cast<int>(constants.size()));
+}
+
+float EnvironmentLighting::levelRoughness(int level) {
+  const double t = static_cast<double>(level) / (kLevels - 1);
+  // 0.7 r^2 - 1.7 r + t = 0
+  return static_cast<float>((1.7 - std::sqrt(1.7 * 1.7 - 4 * 0.7 * t)) / 1.4);
+}
+
+int EnvironmentLighting::levelSamples(int level) {
+  constexpr int kSamples[kLevels] = {1, 64, 128, 512, 1024, 2048};
+  return kSamples[level];
+}
+
+EnvironmentLighting::EnvironmentLighting(ProgramCache& programs, bool diskCache)
+    : programs_(programs), diskCache_(diskCache), quad_(gl::createVertexArray()) {
+  const int32_t none[6] = {};
+  quadInstance_ = gl::createBuffer(std::as_bytes(std::span(none)));
+  const GLuint vao = quad_.id();
+  glVertexArrayVertexBuffer(vao, 0, quadInstance_.id(), 0, 24);
+  glVertexArrayBindingDivisor(vao, 0, 1);
+  for (GLuint i = 0; i < 2; ++i) {
+    glEnableVertexArrayAttrib(vao, i);
+    glVertexArrayAttribIFormat(vao, i, i == 0 ? 4 : 2, GL_INT, i == 0 ? 0 : 16);
+    glVertexArrayAttribBinding(vao, i, 0);
+  }
+}
+
+void EnvironmentLighting::drawFullTarget(const gl::Program& program, GLuint framebuffer, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  const int32_t instance[6] = {0, 0, width, height, 0, 0};
+  glNamedBufferSubData(quadInstance_.id(), 0, sizeof instance, instance);
+  program.set2("targetSize", static_cast<float>(width), static_cast<float>(height));
+  program.use();
+  glBindVertexArray(quad_.id());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environment) {
+  const auto found = maps_.find(environment->hash);
+  if (found != maps_.end()) return found->second;
+  if (maps_.size() >= 8) maps_.clear();  // a handful is enough to go back and forth between
+
+  const ImageF& image = environment->pixels;
+  EnvironmentMaps maps;
+  // A face covers a quarter of the panorama's width.
+  maps.size = std::clamp(static_cast<int>(std::bit_ceil(static_cast<unsigned>(image.width) / 4)), 16, 1024);
+  const int levels = std::bit_width(static_cast<unsigned>(maps.size));
+  maps.cube = gl::createTextureCube(GL_RGBA16F, maps.size, levels);
+
+  // Level 0 only: a level per source pixel would blur, so a large panorama is sampled several times a texel.
+  gl::Texture equirect = gl::createTexture2D(GL_RGB32F, image.width, image.height);
+  glTextureParameteri(equirect.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+  // Row 0 is the top, which is v = 0 here as well: the shader counts v from the top.
+  glTextureSubImage2D(equirect.id(), 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT, image.data.data());
+  const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/cube_from_equirect.frag", {}, {}});
+  program.set("size", static_cast<float>(maps.size));
+  program.set("perSide", std::clamp(image.width / (4 * maps.size) * 2, 2, 8));
+  glBindTextureUnit(0, equirect.id());
+  gl::Framebuffer framebuffer = gl::createFramebuffer({});
+  const GLenum buffer = GL_COLOR_ATTACHMENT0;
+  glNamedFramebufferDrawBuffers(framebuffer.id(), 1, &buffer);
+  for (int face = 0; face < 6; ++face) {
+    glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, maps.cube.id(), 0, face);
+    program.set("face", face);
+    drawFullTarget(program, framebuffer.id(), maps.size, maps.size);
+    if (progress_) progress_("environment " + environment->name, (face + 1) / 7.0);
+  }
+  glGenerateTextureMipmap(maps.cube.id());
+  maps.irradiance = irradianceHarmonics(image);
+  maps.irradianceBuffer = gl::createBuffer(std::as_bytes(std::span(maps.irradiance)));
+  if (progress_) progress_("environment " + environment->name, 1);
+  return maps_.emplace(environment->hash, std::move(maps)).first->second;
+}
+
+Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSetting& setting) {
+  const auto program = programs_.get(
+      vertexText(), {"shaders/passes/lobe.frag", {}, {{"model", setting.shader->glsl}}});
+  if (!program) return program.diagnostics();
+  float roughnesses[16] = {};
+  for (int level = 0; level < kLevels; ++level) roughnesses[level] = levelRoughness(level);
+  glProgramUniform1fv((*program)->id(), (*program)->location("roughnesses"), 16, roughnesses);
+  (*program)->set("width", static_cast<float>(kLobeWidth));
+  setting.apply(**program);
+  const gl::Texture target = gl::createTexture2D(GL_R32F, kLobeWidth, kLevels);
+  const GLuint color = target.id();
+  const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
+  drawFullTarget(**program, framebuffer.id(), kLobeWidth, kLevels);
+  std::vector<float> values(kLobeWidth * kLevels);
+  glGetTextureImage(color, 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * 4), values.data());
+  std::vector<std::vector<float>> rows;
+  for (int level = 0; level < kLevels; ++level)
+    rows.emplace_back(values.begin() + level * kLobeWidth, values.begin() + (level + 1) * kLobeWidth);
+  return rows;
+}
+
+Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environment, const ModelSetting& setting,
+                                                   const std::array<int, kLevels>& samples) {
+  const auto rows = lobe(setting);
+  if (!rows) return rows.diagnostics();
+  const EnvironmentMaps& source = maps(environment);
+  gl::Texture cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
+  gl::Framebuffer framebuffer = gl::createFramebuffer({});
+  const GLenum buffer = GL_COLOR_ATTACHMENT0;
+  glNamedFramebufferDrawBuffers(framebuffer.id(), 1, &buffer);
+  const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/prefilter.frag", {}, {}});
+  glBindTextureUnit(6, source.cube.id());
+  double done = 0, all = 0;
+  for (int level = 0; level < kLevels; ++level) all += samples[static_cast<size_t>(level)] * (kSize >> level) * (kSize >> level);
+  for (int level = 0; level < kLevels; ++level) {
+    const int size = kSize >> level;
+    const int count = samples[static_cast<size_t>(level)];
+    GLINT_CHECK(count >= 1 && count <= 4096, "{} samples", count);
+    // Level 0 is the mirror: the environment itself at this size.
+    std::vector<glm::vec4> directions =
+        level == 0 ? std::vector<glm::vec4>{glm::vec4(0, 0, 1, std::max(0.0, std::log2(double(source.size) / kSize)))}
+                   : lobeSamples((*rows)[static_cast<size_t>(level)], count, source.size);
+    const gl::Buffer block = levelSampleBuffer(directions);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 4, block.id());
+    program.set("sampleCount", static_cast<int>(directions.size()));
+    program.set("size", static_cast<float>(size));
+    for (int face = 0; face < 6; ++face) {
+      glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, cube.id(), level, face);
+      program.set("face", face);
+      drawFullTarget(program, framebuffer.id(), size, size);
+      if (progress_) glFinish();
+      done += count * size * size / 6.0;
+      if (progress_) progress_("lighting of " + setting.shader->model->title + " by " + environment->name, std::min(1.0, done / all));
+    }
+  }
+  return cube;
+}
+
+gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& directions) {
+  // The block's whole size: binding less than the shader declares is undefined.
+  std::vector<glm::vec4> padded = directions;
+  padded.resize(4096);
+  return gl::createBuffer(std::as_bytes(std::span(padded)));
+}
+
+Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting) {
+  const uint64_t modelKey = setting.key();
+  const uint64_t key = hashBytes(&modelKey, 8, environment->hash);
+  if (const auto found = prefiltered_.find(key); found != prefiltered_.end()) return found->second.id();
+  if (prefiltered_.size() >= 64) prefiltered_.clear();
+
+  // On disk lie the levels from 1 on; level 0 is the environment, which is at hand.
+  const auto levelBytes = [](int level) { return static_cast<size_t>(kSize >> level) * static_cast<size_t>(kSize >> level) * 6 * 8; };
+  size_t total = 0;
+  for (int level = 1; level < kLevels; ++level) total += levelBytes(level);
+  gl::Texture cube;
+  const auto stored = diskCache_ ? readCache("prefiltered", key) : std::nullopt;
+  if (stored && stored->size() == total) {
+    const EnvironmentMaps& source = maps(environment);
+    cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
+    size_t offset = 0;
+    for (int level = 1; level < kLevels; ++level) {
+      glTextureSubImage3D(cube.id(), level, 0, 0, 0, kSize >> level, kSize >> level, 6, GL_RGBA, GL_HALF_FLOAT,
+                          stored->data() + offset);
+      offset += levelBytes(level);
+    }
+    const int sourceLevel = std::max(0, static_cast<int>(std::bit_width(static_cast<unsigned>(source.size / kSize))) - 1);
+    if (source.size >= kSize)
+      glCopyImageSubData(source.cube.id(), GL_TEXTURE_CUBE_MAP, sourceLevel, 0, 0, 0, cube.id(), GL_TEXTURE_CUBE_MAP, 0,
+                         0, 0, 0, kSize, kSize, 6);
+    else
+      cube = gl::Texture();
+  }
+  if (!cube) {
+    std::array<int, kLevels> samples;
+    for (int level = 0; level < kLevels; ++level) samples[static_cast<size_t>(level)] = levelSamples(level);
+    auto made = prefilter(environment, setting, samples);
+    if (!made) return made.diagnostics();
+    cube = std::move(*made);
+    if (diskCache_) {
+      std::string bytes(total, '\0');
+      size_t offset = 0;
+      for (int level = 1; level < kLevels; ++level) {
+        glGetTextureImage(cube.id(), level, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(levelBytes(level)), bytes.data() + offset);
+        offset += levelBytes(level);
+      }
+      writeCache("prefiltered", key, bytes);
+    }
+  }
+  return prefiltered_.emplace(key, std::move(cube)).first->second.id();
+}
+
+Result<GLuint> EnvironmentLighting::brdf(const ModelSetting& setting) {
+  const uint64_t key = setting.key();
+  if (const auto found = brdf_.find(key); found != brdf_.end()) return found->second.id();
+  if (brdf_.size() >= 64) brdf_.clear();
+  gl::Texture table = gl::createTexture2D(GL_RGBA16F, kBrdfSize, kBrdfSize);
+  const size_t bytes = size_t{kBrdfSize} * kBrdfSize * 8;
+  if (const auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == bytes) {
+    glTextureSubImage2D(table.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGBA, GL_HALF_FLOAT, stored->data());
+  } else {
+    if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 0);
+    const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", {},
+                                                      {{"model", setting.shader->glsl}}});
+    if (!program) return program.diagnostics();
+    (*program)->set2("size", kBrdfSize, kBrdfSize);
+    setting.apply(**program);
+    const GLuint color = table.id();
+    const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
+    drawFullTarget(**program, framebuffer.id(), kBrdfSize, kBrdfSize);
+    if (diskCache_) {
+      std::string out(bytes, '\0');
+      glGetTextureImage(color, 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(bytes), out.data());
+      writeCache("environment-brdf", key, out);
+    }
+    if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
+  }
+  return brdf_.emplace(key, std::move(table)).first->second.id();
+}
+
+std::array<glm::vec4, 9> irradianceHarmonics(const ImageF& image) {
+  std::array<glm::dvec3, 9> sum{};
+  const double kPi = 3.14159265358979324;
+  for (int y = 0; y < image.height; ++y) {
+    const double theta = (y + 0.5) / image.height * kPi;
+    const double solid = (std::cos(static_cast<double>(y) / image.height * kPi) - std::cos((y + 1.0) / image.height * kPi)) * 2 * kPi / image.width;
+    for (int x = 0; x < image.width; ++x) {
+      const double phi = ((x + 0.5) / image.width - 0.5) * 2 * kPi;
+      const double dx = std::sin(theta) * std::cos(phi), dy = std::cos(theta), dz = std::sin(theta) * std::sin(phi);
+      const float* p = image.at(x, y);
+      const glm::dvec3 radiance = glm::dvec3(p[0], p[1], p[2]) * solid;
+      const double basis[9] = {1, dy, dz, dx, dx * dy, dy * dz, 3 * dz * dz - 1, dx * dz, dx * dx - dy * dy};
+      for (size_t i = 0; i < 9; ++i) sum[i] += radiance * basis[i];
+    }
+  }
+  // Y_lm's constant squared, times A_l / pi: A_0 = pi, A_1 = 2 pi / 3, A_2 = pi / 4.
+  const double c0 = 1 / (4 * kPi), c1 = 3 / (4 * kPi) * (2.0 / 3), c2 = 15 / (4 * kPi) * 0.25;
+  const double scale[9] = {c0, c1, c1, c1, c2, c2, 5 / (16 * kPi) * 0.25, c2, 15 / (16 * kPi) * 0.25};
+  std::array<glm::vec4, 9> result;
+  for (size_t i = 0; i < 9; ++i) result[i] = glm::vec4(glm::vec3(sum[i] * scale[i]), 0);
+  return result;
+}
+
+}  // namespace glint

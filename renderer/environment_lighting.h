@@ -1,0 +1,93 @@
+// What an environment needs to light the models: its cube map, its diffuse light as spherical harmonics, and, for
+// each model with each set of its constants, the environment averaged under that model's own lobe and the model's
+// environment BRDF. Built on first use from the model's own GLSL, kept on disk by content.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "materials/model.h"
+#include "renderer/gl/objects.h"
+#include "renderer/program_cache.h"
+#include "renderer/scene.h"
+
+namespace glint {
+
+using Progress = std::function<void(const std::string& what, double fraction)>;
+
+// A model's GLSL, made once.
+struct ModelShader {
+  std::shared_ptr<const ShadingModel> model;
+  std::string glsl;
+  uint64_t hash = 0;                     // of glsl, which holds the shipped terms it uses
+
+  explicit ModelShader(std::shared_ptr<const ShadingModel>);
+};
+
+// A model with one value for each of its parameters: those of a material, where they do not vary over it.
+struct ModelSetting {
+  std::shared_ptr<const ModelShader> shader;
+  std::array<float, 4> slots{};          // by ModelParameter::slot
+  std::vector<glm::vec4> constants;      // glintModelConstants: one each without a slot, at least one
+
+  uint64_t key() const;                  // of the text and the values
+  void apply(const gl::Program&) const;  // sets standardParameters and glintModelConstants
+};
+// `values` are in the order of the model's parameters; those missing are at their defaults.
+ModelSetting modelSetting(std::shared_ptr<const ModelShader>, const std::vector<Value>& values);
+
+struct EnvironmentMaps {
+  gl::Texture cube;                      // RGBA16F with a full mip chain
+  int size = 0;                          // texels along a side of level 0
+  std::array<glm::vec4, 9> irradiance{}; // of shaders/passes/lighting.frag: E / pi, constants folded in
+  gl::Buffer irradianceBuffer;
+};
+
+class EnvironmentLighting {
+ public:
+  // Levels of the prefiltered cube: sizes 256, 128, .. 8 for roughness 0 .. 1 (levelRoughness).
+  static constexpr int kSize = 256, kLevels = 6, kBrdfSize = 64;
+  // The roughness whose lobe fills a level: inverse of (kLevels - 1) r (1.7 - 0.7 r) in lighting.frag.
+  static float levelRoughness(int level);
+  // Directions drawn for each texel of a level at the standard quality: rough levels have few texels and can afford
+  // many.
+  static int levelSamples(int level);
+
+  EnvironmentLighting(ProgramCache&, bool diskCache);
+
+  void setProgress(Progress progress) { progress_ = std::move(progress); }
+
+  const EnvironmentMaps& maps(const EnvironmentPtr&);
+  // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
+  // is the model's GLSL not compiling.
+  Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&);
+  Result<GLuint> brdf(const ModelSetting&);
+
+  // The lobe's values over the angle (lobe.h), one row for each level.
+  Result<std::vector<std::vector<float>>> lobe(const ModelSetting&);
+  // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
+  Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples);
+
+ private:
+  void drawFullTarget(const gl::Program&, GLuint framebuffer, int width, int height);
+  ShaderText vertexText() const { return {"shaders/passes/tiles.vert", {}, {}}; }
+  gl::Buffer levelSampleBuffer(const std::vector<glm::vec4>&);
+
+  ProgramCache& programs_;
+  bool diskCache_;
+  Progress progress_;
+  gl::VertexArray quad_;
+  gl::Buffer quadInstance_;
+  std::map<uint64_t, EnvironmentMaps> maps_;
+  std::map<uint64_t, gl::Texture> prefiltered_, brdf_;
+};
+
+// Coefficients of the irradiance of an environment (Ramamoorthi and Hanrahan 2001, eq. 13), over pi.
+std::array<glm::vec4, 9> irradianceHarmonics(const ImageF& equirect);
+
+}  // namespace glint

@@ -1,0 +1,44 @@
+// The textures that a frame is drawn into.
+#pragma once
+
+#include <array>
+
+#include "renderer/gl/objects.h"
+
+namespace glint {
+
+// The G-buffer (shaders/common/gbuffer.glsl has the table) and what light is gathered in. Textures grow with the
+// picture and are kept.
+class FrameTargets {
+ public:
+  // Makes everything fit a picture of this size with these optional attachments.
+  void resize(int width, int height, bool emissive, bool parameters);
+
+  GLuint gbuffer() const { return gbuffer_.id(); }
+  void bindGbuffer() const;      // as textures, at the units of shaders/common/gbuffer_read.glsl
+
+  // Pictures, shown in turn: SRGB8_ALPHA8 with the frame's depth and stencil attached. `raw` is the same texels as
+  // RGBA8, for whoever shows the texture without decoding it.
+  struct Picture {
+    gl::Texture texture, raw;
+    gl::Framebuffer framebuffer;
+  };
+  Picture& nextPicture();
+
+  // RGBA32F, for averages and scene-referred pictures; made when first asked for.
+  GLuint accumulation();
+  GLuint accumulationTexture() const { return accumulationTexture_.id(); }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  int width_ = 0, height_ = 0;
+  bool emissive_ = false, parameters_ = false;
+  gl::Texture baseColor_, normal_, material_, emissiveTexture_, parametersTexture_, depth_, accumulationTexture_;
+  gl::Framebuffer gbuffer_, accumulation_;
+  std::array<Picture, 2> pictures_;
+  size_t picture_ = 0;
+};
+
+}  // namespace glint

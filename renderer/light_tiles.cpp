@@ -1,0 +1,93 @@
+#include "renderer/light_tiles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+// Lights as arrays, so that the tests below run several lights an instruction.
+struct LightArrays {
+  std::vector<float> x, y, z, radius;
+  explicit LightArrays(std::span<const Light> lights) {
+    for (const Light& light : lights) {
+      x.push_back(light.position.x);
+      y.push_back(light.position.y);
+      z.push_back(light.position.z);
+      radius.push_back(light.radius);
+    }
+  }
+};
+
+// Sets the bits of the lights whose sphere touches the cluster's and that stand before some of its triangles.
+void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vector<uint8_t>& reached) {
+  const size_t count = lights.x.size();
+  // A light below all tangent planes lights nothing: the highest of its directions above the cone's plane is
+  // dot(light - center, axis) against the cone's spread.
+  const bool cone = c.coneCosine > 0;
+  const float sine = cone ? std::sqrt(std::max(0.0f, 1 - c.coneCosine * c.coneCosine)) : 0;
+  for (size_t i = 0; i < count; ++i) {
+    const float dx = lights.x[i] - c.center.x, dy = lights.y[i] - c.center.y, dz = lights.z[i] - c.center.z;
+    const float distance2 = dx * dx + dy * dy + dz * dz;
+    const float reach = lights.radius[i] + c.radius;
+    const float along = dx * c.axis.x + dy * c.axis.y + dz * c.axis.z;
+    // For every normal of the cone and point of the sphere, the light's height above the plane there is at most
+    // cosine along + sine distance + radius.
+    const float bound = -(c.coneCosine * along + c.radius);
+    const bool behind = cone & (bound > 0) & (bound * bound > sine * sine * distance2);
+    reached[i] = (distance2 < reach * reach) & !behind;
+  }
+}
+
+}  // namespace
+
+LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
+  // Small tiles pay when there are many lights to keep apart (measured on software GL: 64 pixels wins for 128
+  // lights, 32 for 1024).
+  const int side = lights.size() > 256 ? 32 : 64;
+  const int columns = (rectangle.z + side - 1) / side, rows = (rectangle.w + side - 1) / side;
+  const size_t words = (lights.size() + 63) / 64;
+  std::vector<uint64_t> masks(static_cast<size_t>(columns * rows) * words);
+  std::vector<uint8_t> touched(static_cast<size_t>(columns * rows));
+
+  const LightArrays arrays(lights);
+  std::vector<uint8_t> reached(words * 64);
+  std::vector<uint64_t> mask(words);
+  for (const VisibleCluster& cluster : clusters) {
+    const int x0 = std::clamp((cluster.pixels.x - rectangle.x) / side, 0, columns - 1);
+    const int x1 = std::clamp((cluster.pixels.z - 1 - rectangle.x) / side, 0, columns - 1);
+    const int y0 = std::clamp((cluster.pixels.y - rectangle.y) / side, 0, rows - 1);
+    const int y1 = std::clamp((cluster.pixels.w - 1 - rectangle.y) / side, 0, rows - 1);
+    reachingLights(cluster, arrays, reached);
+    for (size_t w = 0; w < words; ++w) {
+      uint64_t bits = 0;
+      for (size_t b = 0; b < 64; ++b) bits |= static_cast<uint64_t>(reached[w * 64 + b]) << b;
+      mask[w] = bits;
+    }
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) {
+        const size_t tile = static_cast<size_t>(y * columns + x);
+        touched[tile] = 1;
+        for (size_t w = 0; w < words; ++w) masks[tile * words + w] |= mask[w];
+      }
+  }
+
+  LightTiles result;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const size_t tile = static_cast<size_t>(y * columns + x);
+      if (!touched[tile]) continue;
+      const int32_t first = static_cast<int32_t>(result.list.size());
+      for (size_t w = 0; w < words; ++w)
+        for (uint64_t bits = masks[tile * words + w]; bits; bits &= bits - 1)
+          result.list.push_back(static_cast<uint32_t>(w * 64 + static_cast<size_t>(std::countr_zero(bits))));
+      result.tiles.push_back({rectangle.x + x * side, rectangle.y + y * side,
+                              rectangle.x + std::min((x + 1) * side, rectangle.z),
+                              rectangle.y + std::min((y + 1) * side, rectangle.w), first,
+                              static_cast<int32_t>(result.list.size()) - first});
+    }
+  return result;
+}
+
+}  // namespace glint

@@ -1,0 +1,68 @@
+#include "renderer/lobe.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "materials/base/check.h"
+
+namespace glint {
+namespace {
+
+constexpr double kHalfPi = 1.57079632679489662, kTau = 6.28318530717958648;
+
+// Van der Corput's sequence in base 2.
+double radicalInverse(uint32_t i) {
+  i = (i << 16) | (i >> 16);
+  i = ((i & 0x55555555u) << 1) | ((i & 0xAAAAAAAAu) >> 1);
+  i = ((i & 0x33333333u) << 2) | ((i & 0xCCCCCCCCu) >> 2);
+  i = ((i & 0x0F0F0F0Fu) << 4) | ((i & 0xF0F0F0F0u) >> 4);
+  i = ((i & 0x00FF00FFu) << 8) | ((i & 0xFF00FF00u) >> 8);
+  return i * 0x1p-32;
+}
+
+}  // namespace
+
+float lobeAngle(size_t i, size_t size) {
+  const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(size);
+  return static_cast<float>(kHalfPi * u * u);
+}
+
+std::vector<glm::vec4> lobeSamples(std::span<const float> kernel, int count, int sourceSize) {
+  GLINT_CHECK(!kernel.empty() && count > 0, "kernel {} count {}", kernel.size(), count);
+  const size_t n = kernel.size();
+  // The lobe's mass up to the upper end of each entry's interval: kernel sin(theta) d theta.
+  std::vector<double> mass(n + 1, 0.0);
+  const auto edge = [n](size_t i) {
+    const double u = static_cast<double>(i) / static_cast<double>(n);
+    return kHalfPi * u * u;
+  };
+  for (size_t i = 0; i < n; ++i) {
+    const double solid = std::cos(edge(i)) - std::cos(edge(i + 1));
+    mass[i + 1] = mass[i] + std::max(0.0f, kernel[i]) * solid;
+  }
+  std::vector<glm::vec4> samples;
+  if (!(mass[n] > 0)) return {glm::vec4(0, 0, 1, 0)};
+
+  const double texel = 4 * 3.14159265358979324 / (6.0 * sourceSize * sourceSize);
+  for (int s = 0; s < count; ++s) {
+    const double wanted = (s + 0.5) / count * mass[n];
+    const size_t i = std::min(
+        n - 1, static_cast<size_t>(std::upper_bound(mass.begin(), mass.end(), wanted) - mass.begin()) - 1);
+    const double share = mass[i + 1] > mass[i] ? (wanted - mass[i]) / (mass[i + 1] - mass[i]) : 0.5;
+    // Uniform in solid angle within the interval.
+    const double cosine = std::cos(edge(i)) + share * (std::cos(edge(i + 1)) - std::cos(edge(i)));
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    const double phi = kTau * radicalInverse(static_cast<uint32_t>(s));
+    // Density per steradian: kernel / (2 pi mass).
+    const double density = kernel[i] / (kTau * mass[n]);
+    const double solidAngle = 1 / (count * std::max(density, 1e-12));
+    // Half a level up: neighbouring samples' texels overlap instead of leaving gaps (measured: see the error that
+    // env.prefilter prints).
+    const double level = std::max(0.0, 0.5 * std::log2(solidAngle / texel) + 0.5);
+    samples.emplace_back(sine * std::cos(phi), sine * std::sin(phi), cosine, level);
+  }
+  return samples;
+}
+
+}  // namespace glint

@@ -1,0 +1,20 @@
+// Directions drawn from a model's lobe, for prefiltering environments: deterministic, and derived from the model's
+// own values, so that a dropped-in model has them too.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace glint {
+
+// `kernel` holds the lobe's values (per steradian, any scale) at the angles lobeAngle(i, kernel.size()) from its axis
+// +Z. Gives `count` unit directions with equal weight, xyz, and in w the mip level of a cube map with `sourceSize`
+// texels a side whose texels cover the solid angle that the sample stands for. A lobe of zeros yields the axis.
+std::vector<glm::vec4> lobeSamples(std::span<const float> kernel, int count, int sourceSize);
+
+// The angle of entry i in radians: pi/2 u^2 at u = (i + 1/2) / size, denser towards the axis. shaders/passes/lobe.frag
+// evaluates the kernel there.
+float lobeAngle(size_t i, size_t size);
+
+}  // namespace glint

@@ -1,0 +1,60 @@
+// A view made ready to draw: what is visible, in which light groups, with which lights where. No OpenGL calls.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderer/device_mesh.h"
+#include "renderer/light_tiles.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+
+// The block of shaders/common/view.glsl, std140.
+struct ViewBlock {
+  glm::mat4 clipFromWorld;
+  glm::vec4 rayOrigin, originX, originY;
+  glm::vec4 rayDirection, rayX, rayY;
+  glm::vec4 depthTerms;
+  glm::vec4 environmentX, environmentZ;
+  float environmentIntensity, exposureScale, environmentLevels;
+  int32_t directionalCount;
+};
+static_assert(sizeof(ViewBlock) == 64 + 9 * 16 + 16);
+
+struct DirectionalBlock {
+  glm::vec4 direction, radiance;
+};
+inline constexpr size_t kMostDirectionalLights = 16;
+
+struct PointBlock {
+  glm::vec4 position, intensity;   // w of position: 1 / radius^2
+};
+
+// The visible part of one instance, as ranges of its mesh's indices.
+struct PreparedInstance {
+  const DeviceMesh* mesh = nullptr;
+  glm::mat4 worldFromModel{1}, normalFromModel{1};
+  int material = 0;                // index into Scene::materials
+  bool mirrored = false;           // the transform turns triangles inside out
+  std::vector<GLsizei> counts;
+  std::vector<const void*> offsets;  // bytes, as glMultiDrawElements takes them
+};
+
+struct PreparedView {
+  const Scene* scene = nullptr;
+  glm::ivec4 rectangle{0};
+  ViewBlock block{};
+  std::vector<PreparedInstance> instances;
+  std::vector<DirectionalBlock> directional;
+  std::vector<PointBlock> points;
+  LightTiles tiles;                // empty lists when there are no point lights: one tile, the rectangle
+  int triangles = 0;
+  bool tooManyDirectional = false;
+};
+
+// `jitter` moves the samples by a fraction of a pixel (-0.5 .. 0.5).
+PreparedView prepareView(const View&, DeviceMeshes&, float exposureScale, int environmentLevels, glm::vec2 jitter);
+
+}  // namespace glint

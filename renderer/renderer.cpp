@@ -1,0 +1,607 @@
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "materials/base/hash.h"
+#include "renderer/device_textures.h"
+#include "renderer/environment_lighting.h"
+#include "renderer/frame_targets.h"
+#include "renderer/prepared_view.h"
+#include "renderer/program_cache.h"
+
+namespace glint {
+namespace {
+
+// What a lighting pass leaves in its target.
+enum class Output {
+  Picture,     // display-referred, into an sRGB target
+  Display,     // display-referred linear, added up: averages of samples
+  Radiance,    // scene-referred, added up
+};
+
+constexpr int kMostGroups = 254;   // the stencil's values but 0, which is the background
+
+// Low-discrepancy offsets within a pixel (Halton 1960, bases 2 and 3), centred on 0; the first is the centre itself.
+glm::vec2 jitterOf(int sample) {
+  if (sample == 0) return glm::vec2(0);
+  const auto halton = [](int i, int base) {
+    float f = 1, r = 0;
+    for (; i > 0; i /= base) {
+      f /= static_cast<float>(base);
+      r += f * static_cast<float>(i % base);
+    }
+    return r;
+  };
+  return {halton(sample, 2) - 0.5f, halton(sample, 3) - 0.5f};
+}
+
+float linearOf(float srgb) { return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f); }
+
+// Bytes gathered for one upload a frame: uniform blocks, light lists and tiles together.
+class FrameBuffer {
+ public:
+  // The offset at which the bytes will lie, aligned for any binding.
+  size_t append(std::span<const std::byte> bytes) {
+    const size_t offset = (bytes_.size() + kAlignment - 1) / kAlignment * kAlignment;
+    bytes_.resize(offset + std::max<size_t>(bytes.size(), 16));
+    if (!bytes.empty()) std::memcpy(bytes_.data() + offset, bytes.data(), bytes.size());
+    return offset;
+  }
+  void upload() {
+    if (bytes_.size() > capacity_) {
+      capacity_ = std::bit_ceil(bytes_.size());
+      buffer_ = gl::createBuffer(std::vector<std::byte>(capacity_));
+    }
+    glNamedBufferSubData(buffer_.id(), 0, static_cast<GLsizeiptr>(bytes_.size()), bytes_.data());
+  }
+  void clear() { bytes_.clear(); }
+  void bind(GLenum target, GLuint binding, size_t offset, size_t size) const {
+    glBindBufferRange(target, binding, buffer_.id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(std::max<size_t>(size, 16)));
+  }
+  GLuint id() const { return buffer_.id(); }
+
+ private:
+  static constexpr size_t kAlignment = 256;
+  std::vector<std::byte> bytes_;
+  gl::Buffer buffer_;
+  size_t capacity_ = 0;
+};
+
+// Pixels lit by one model with one set of constants: one stencil value.
+struct LightGroup {
+  ModelSetting setting;
+  bool broken = false;                  // no version of the plugin ever compiled
+  uint64_t key = 0;
+};
+
+// A view with what it needs on the device.
+struct ReadyView {
+  PreparedView view;
+  std::vector<LightGroup> groups;
+  std::vector<int> groupOfMaterial;     // -1: too many groups
+  std::vector<size_t> materialBlocks;   // offsets in the frame buffer
+  size_t viewBlock = 0, directional = 0, points = 0, list = 0, tiles = 0;
+};
+
+}  // namespace
+
+struct Renderer::State {
+  explicit State(const gl::Context& c) : context(c), lighting(programs, true) {
+    tileArray = gl::createVertexArray();
+    for (GLuint i = 0; i < 2; ++i) {
+      glEnableVertexArrayAttrib(tileArray.id(), i);
+      glVertexArrayAttribIFormat(tileArray.id(), i, i == 0 ? 4 : 2, GL_INT, i == 0 ? 0 : 16);
+      glVertexArrayAttribBinding(tileArray.id(), i, 0);
+    }
+    glVertexArrayBindingDivisor(tileArray.id(), 0, 1);
+  }
+
+  // -- Models ------------------------------------------------------------------------------------------------------
+  std::shared_ptr<const ModelShader> shaderOf(const std::shared_ptr<const ShadingModel>& model) {
+    auto& entry = shaders[model.get()];
+    if (!entry || entry->model != model) entry = std::make_shared<ModelShader>(model);
+    return entry;
+  }
+
+  // The shader to draw a model with: its own when it compiles, else its last good version, else none.
+  std::shared_ptr<const ModelShader> soundShaderOf(const std::shared_ptr<const ShadingModel>& model) {
+    auto shader = shaderOf(model);
+    auto verdict = verdicts.find(shader->hash);
+    if (verdict == verdicts.end()) {
+      const auto program = programs.get(tileVertex(), {"shaders/passes/lobe.frag", {}, {{"model", shader->glsl}}});
+      verdict = verdicts.emplace(shader->hash, program ? Diagnostics{} : modelErrors(*model, program.diagnostics()[0].what)).first;
+    }
+    if (verdict->second.empty()) {
+      lastGood[model->id] = shader;
+      return shader;
+    }
+    problems.insert(problems.end(), verdict->second.begin(), verdict->second.end());
+    const auto good = lastGood.find(model->id);
+    return good == lastGood.end() ? nullptr : good->second;
+  }
+
+  static ShaderText tileVertex() { return {"shaders/passes/tiles.vert", {}, {}}; }
+
+  // -- Preparation -------------------------------------------------------------------------------------------------
+  void prepare(std::span<const View> views, const RenderSettings& settings, glm::vec2 jitter) {
+    ready.clear();
+    frame.clear();
+    problems.clear();
+    statistics = {};
+    emissive = parameters = false;
+    for (const View& view : views) {
+      GLINT_CHECK(view.scene != nullptr && view.rectangle.z > 0 && view.rectangle.w > 0);
+      for (const SurfaceMaterial& material : view.scene->materials) {
+        emissive |= material.compiled->writesEmissive;
+        parameters |= material.compiled->writesModelParameters;
+      }
+    }
+    for (const View& view : views) {
+      ReadyView r;
+      r.view = prepareView(view, meshes, std::exp2(settings.exposure), EnvironmentLighting::kLevels - 1, jitter);
+      if (r.view.tooManyDirectional)
+        problems.push_back(warning("lights", fmt::format("more than {} directional lights", kMostDirectionalLights), "the others are not drawn"));
+      for (const SurfaceMaterial& material : view.scene->materials) {
+        r.groupOfMaterial.push_back(groupOf(material, r.groups));
+        r.materialBlocks.push_back(frame.append(material.block));
+      }
+      r.viewBlock = frame.append(std::as_bytes(std::span(&r.view.block, 1)));
+      std::vector<DirectionalBlock> directional = r.view.directional;
+      directional.resize(kMostDirectionalLights);
+      r.directional = frame.append(std::as_bytes(std::span(directional)));
+      r.points = frame.append(std::as_bytes(std::span(r.view.points)));
+      r.list = frame.append(std::as_bytes(std::span(r.view.tiles.list)));
+      r.tiles = frame.append(std::as_bytes(std::span(r.view.tiles.tiles)));
+      statistics.triangles += r.view.triangles;
+      statistics.lightGroups += static_cast<int>(r.groups.size());
+      statistics.lights += static_cast<int>(r.view.directional.size() + r.view.points.size());
+      ready.push_back(std::move(r));
+    }
+    frame.upload();
+  }
+
+  int groupOf(const SurfaceMaterial& material, std::vector<LightGroup>& groups) {
+    LightGroup group;
+    const auto sound = soundShaderOf(material.model);
+    group.broken = !sound;
+    group.setting = modelSetting(sound ? sound : shaderOf(material.model), material.modelParameters);
+    group.key = group.setting.key();
+    for (size_t i = 0; i < groups.size(); ++i)
+      if (groups[i].key == group.key) return static_cast<int>(i);
+    if (groups.size() == kMostGroups) {
+      problems.push_back(error("shading models", fmt::format("more than {} settings of models in one view", kMostGroups), "the others are not drawn"));
+      return -1;
+    }
+    groups.push_back(std::move(group));
+    return static_cast<int>(groups.size()) - 1;
+  }
+
+  // -- Passes ------------------------------------------------------------------------------------------------------
+  std::vector<std::string> surfaceDefines(const CompiledMaterial& material) const {
+    std::vector<std::string> defines;
+    if (emissive) defines.push_back("WRITES_EMISSIVE");
+    if (parameters) defines.push_back("WRITES_PARAMETERS");
+    if (material.writesNormal) defines.push_back("WRITES_NORMAL");
+    if (material.writesOpacityMask) defines.push_back("WRITES_OPACITY_MASK");
+    return defines;
+  }
+
+  const gl::Program* surfaceProgram(const CompiledMaterial& material) {
+    const auto key = std::make_pair(material.hash, (emissive ? 1 : 0) + (parameters ? 2 : 0) + (material.writesNormal ? 4 : 0) + (material.writesOpacityMask ? 8 : 0));
+    const auto found = surfacePrograms.find(key);
+    if (found != surfacePrograms.end()) return found->second;
+    const auto program = programs.get({"shaders/passes/gbuffer.vert", {}, {}},
+                                      {"shaders/passes/gbuffer.frag", surfaceDefines(material), {{"material", material.glsl}}});
+    if (!program) {
+      // The graph compiler's fault, not the user's: say so, and draw the rest.
+      problems.push_back(error(material.name.empty() ? "material" : material.name, "its generated shader does not compile: " + program.diagnostics()[0].what,
+                               "please report it with the material's file"));
+      return nullptr;
+    }
+    return surfacePrograms[key] = *program;
+  }
+
+  void gbufferPass() {
+    glBindFramebuffer(GL_FRAMEBUFFER, targets.gbuffer());
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glCullFace(GL_BACK);
+    // The stencil tells which pixels hold anything: the colours need no clearing.
+    const GLfloat depth = 1;
+    glClearNamedFramebufferfi(targets.gbuffer(), GL_DEPTH_STENCIL, 0, depth, 0);
+    for (const ReadyView& r : ready) {
+      const glm::ivec4 rect = r.view.rectangle;
+      glViewport(rect.x, rect.y, rect.z, rect.w);
+      frame.bind(GL_UNIFORM_BUFFER, 0, r.viewBlock, sizeof(ViewBlock));
+      // By material, so that programs and textures change little.
+      std::vector<const PreparedInstance*> order;
+      for (const PreparedInstance& instance : r.view.instances) order.push_back(&instance);
+      std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return a->material < b->material; });
+      int bound = -1;
+      const gl::Program* program = nullptr;
+      for (const PreparedInstance* instance : order) {
+        const size_t m = static_cast<size_t>(instance->material);
+        const SurfaceMaterial& material = r.view.scene->materials[m];
+        const int group = r.groupOfMaterial[m];
+        if (group < 0) continue;
+        if (bound != instance->material) {
+          bound = instance->material;
+          program = surfaceProgram(*material.compiled);
+          if (program) bindMaterial(*program, material, r, m, group);
+        }
+        if (!program) continue;
+        program->setMatrix4("worldFromModel", &instance->worldFromModel[0][0]);
+        program->setMatrix4("normalFromModel", &instance->normalFromModel[0][0]);
+        material.doubleSided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+        glFrontFace(instance->mirrored ? GL_CW : GL_CCW);
+        glBindVertexArray(instance->mesh->array.id());
+        glMultiDrawElements(GL_TRIANGLES, instance->counts.data(), GL_UNSIGNED_INT, instance->offsets.data(), static_cast<GLsizei>(instance->counts.size()));
+      }
+    }
+    glFrontFace(GL_CCW);
+    glDisable(GL_CULL_FACE);
+  }
+
+  void bindMaterial(const gl::Program& program, const SurfaceMaterial& material, const ReadyView& r, size_t index, int group) {
+    program.use();
+    program.set("lightGroup", static_cast<float>(group) / 255.0f);
+    program.set("opacityCutoff", material.opacityCutoff);
+    program.set4("standardParameters", r.groups[static_cast<size_t>(group)].setting.slots.data());
+    glStencilFunc(GL_ALWAYS, group + 1, 0xff);
+    if (material.compiled->blockSize > 0)
+      frame.bind(GL_UNIFORM_BUFFER, kMaterialParametersBinding, r.materialBlocks[index], material.block.size());
+    const auto& slots = material.compiled->textures;
+    for (size_t i = 0; i < slots.size(); ++i)
+      textures.bind(static_cast<GLuint>(kFirstMaterialTexture + static_cast<int>(i)), i < material.textures.size() ? material.textures[i] : nullptr, slots[i]);
+  }
+
+  // The state of every pass that draws rectangles under the stencil.
+  void beginRectangles(GLuint framebuffer, Output output) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, targets.width(), targets.height());
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(0);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    if (output == Output::Picture) {
+      glDisable(GL_BLEND);
+      glEnable(GL_FRAMEBUFFER_SRGB);
+    } else {
+      glEnable(GL_BLEND);
+      glBlendFunc(GL_ONE, GL_ONE);
+      glDisable(GL_FRAMEBUFFER_SRGB);
+    }
+    glBindVertexArray(tileArray.id());
+  }
+
+  void drawRectangles(const gl::Program& program, const ReadyView& r) {
+    program.set2("targetSize", static_cast<float>(targets.width()), static_cast<float>(targets.height()));
+    program.use();
+    glVertexArrayVertexBuffer(tileArray.id(), 0, frame.id(), static_cast<GLintptr>(r.tiles), sizeof(Tile));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(r.view.tiles.tiles.size()));
+  }
+
+  std::vector<std::string> outputDefines(const RenderSettings& settings, Output output) const {
+    if (output == Output::Radiance) return {"SCENE_REFERRED"};
+    return {fmt::format("TONEMAP {}", static_cast<int>(settings.tonemap))};
+  }
+
+  void lightingPass(const RenderSettings& settings, GLuint framebuffer, Output output) {
+    beginRectangles(framebuffer, output);
+    for (ReadyView& r : ready) {
+      const EnvironmentPtr& environment = r.view.scene->environment;
+      for (size_t g = 0; g < r.groups.size(); ++g) {
+        const LightGroup& group = r.groups[g];
+        if (group.broken) {
+          brokenGroup(r, g, settings, output);
+          continue;
+        }
+        std::vector<std::string> defines = outputDefines(settings, output);
+        if (!r.view.points.empty()) defines.push_back("POINT_LIGHTS");
+        if (emissive) defines.push_back("EMISSIVE");
+        if (parameters) defines.push_back("READS_PARAMETERS");
+        GLuint cube = 0, table = 0;
+        if (environment) {
+          // Building tables changes the state; the pass begins anew after it.
+          const auto prefiltered = lighting.prefiltered(environment, group.setting);
+          const auto brdf = lighting.brdf(group.setting);
+          GLINT_CHECK(prefiltered && brdf, "a sound shader has tables");
+          cube = *prefiltered;
+          table = *brdf;
+          defines.push_back("ENVIRONMENT");
+        }
+        const gl::Program& program = lightingProgram(group, defines);
+        beginRectangles(framebuffer, output);
+        bindLighting(r);
+        if (environment) {
+          glBindTextureUnit(6, cube);
+          glBindTextureUnit(7, table);
+          glBindBufferBase(GL_UNIFORM_BUFFER, 3, lighting.maps(environment).irradianceBuffer.id());
+        }
+        group.setting.apply(program);
+        glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);
+        drawRectangles(program, r);
+      }
+    }
+  }
+
+  void bindLighting(const ReadyView& r) {
+    targets.bindGbuffer();
+    frame.bind(GL_UNIFORM_BUFFER, 0, r.viewBlock, sizeof(ViewBlock));
+    frame.bind(GL_UNIFORM_BUFFER, 2, r.directional, kMostDirectionalLights * sizeof(DirectionalBlock));
+    if (!r.view.points.empty()) {
+      frame.bind(GL_SHADER_STORAGE_BUFFER, 0, r.points, r.view.points.size() * sizeof(PointBlock));
+      frame.bind(GL_SHADER_STORAGE_BUFFER, 1, r.list, r.view.tiles.list.size() * sizeof(uint32_t));
+    }
+  }
+
+  const gl::Program& lightingProgram(const LightGroup& group, const std::vector<std::string>& defines) {
+    uint64_t key = group.setting.shader->hash;
+    for (const std::string& define : defines) key = hashText(define, key);
+    const auto found = lightingPrograms.find(key);
+    if (found != lightingPrograms.end()) return *found->second;
+    const auto program = programs.get(tileVertex(), {"shaders/passes/lighting.frag", defines, {{"model", group.setting.shader->glsl}}});
+    GLINT_CHECK(program.ok(), "{}", program.ok() ? "" : program.diagnostics()[0].text());
+    return *(lightingPrograms[key] = *program);
+  }
+
+  // A plugin that never compiled shows as a flat magenta, which no light makes by itself.
+  void brokenGroup(const ReadyView& r, size_t index, const RenderSettings& settings, Output output) {
+    const float magenta[4] = {1, 0, 0.5f, 1};
+    backgroundRectangles(r, static_cast<int>(index) + 1, settings, output, magenta, 0);
+  }
+
+  void backgroundPass(const RenderSettings& settings, GLuint framebuffer, Output output) {
+    beginRectangles(framebuffer, output);
+    for (const ReadyView& r : ready) {
+      const EnvironmentPtr& environment = r.view.scene->environment;
+      const bool sky = settings.view == "lit" && environment &&
+                       (settings.background == Background::Environment || settings.background == Background::Blur);
+      float color[4] = {0, 0, 0, 1};
+      if (settings.view == "lit" && settings.background == Background::Color)
+        for (int i = 0; i < 3; ++i) color[i] = settings.backgroundColor[i];
+      float level = 0;
+      if (sky) {
+        const EnvironmentMaps& maps = lighting.maps(environment);
+        color[3] = 0;
+        if (settings.background == Background::Blur) level = std::max(0.0f, std::log2(static_cast<float>(maps.size)) - 4.0f);
+        beginRectangles(framebuffer, output);
+        glBindTextureUnit(6, maps.cube.id());
+      }
+      backgroundRectangles(r, 0, settings, output, color, level);
+    }
+  }
+
+  void backgroundRectangles(const ReadyView& r, int stencil, const RenderSettings& settings, Output output, const float* color, float level) {
+    const gl::Program& program = programs.shipped(tileVertex(), {"shaders/passes/background.frag", outputDefines(settings, output), {}});
+    if (color[3] > 0) glBindTextureUnit(6, noEnvironment());
+    program.set4("background", color);
+    program.set("level", level);
+    frame.bind(GL_UNIFORM_BUFFER, 0, r.viewBlock, sizeof(ViewBlock));
+    glStencilFunc(GL_EQUAL, stencil, 0xff);
+    // The whole rectangle, also where no tile has geometry.
+    const glm::ivec4 rect = r.view.rectangle;
+    const Tile whole{rect.x, rect.y, rect.x + rect.z, rect.y + rect.w, 0, 0};
+    if (!wholeTile) wholeTile = gl::createBuffer(std::as_bytes(std::span(&whole, 1)));
+    glNamedBufferSubData(wholeTile.id(), 0, sizeof whole, &whole);
+    program.set2("targetSize", static_cast<float>(targets.width()), static_cast<float>(targets.height()));
+    program.use();
+    glVertexArrayVertexBuffer(tileArray.id(), 0, wholeTile.id(), 0, sizeof(Tile));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
+  }
+
+  GLuint noEnvironment() {
+    if (!blackCube) {
+      blackCube = gl::createTextureCube(GL_RGBA16F, 1, 1);
+      const float black[4] = {};
+      glClearTexImage(blackCube.id(), 0, GL_RGBA, GL_FLOAT, black);
+    }
+    return blackCube.id();
+  }
+
+  void bufferViewPass(const RenderSettings& settings, GLuint framebuffer, Output output) {
+    beginRectangles(framebuffer, output);
+    int mode = 0;
+    for (const ViewMode& candidate : viewModes()) {
+      if (settings.view == candidate.id) break;
+      ++mode;
+    }
+    std::vector<std::string> defines;
+    if (emissive) defines.push_back("EMISSIVE");
+    if (parameters) defines.push_back("READS_PARAMETERS");
+    const gl::Program& program = programs.shipped(tileVertex(), {"shaders/passes/buffer_view.frag", defines, {}});
+    for (const ReadyView& r : ready) {
+      std::array<glm::vec4, 256> colors{};
+      for (size_t g = 0; g < r.groups.size(); ++g) {
+        const auto& c = r.groups[g].setting.shader->model->color;
+        colors[g] = glm::vec4(linearOf(c[0]), linearOf(c[1]), linearOf(c[2]), 1);
+      }
+      program.set4("groupColors", &colors[0].x, 256);
+      program.set("mode", mode - 1);  // 0 is the first buffer, after "lit"
+      bindLighting(r);
+      glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+      drawRectangles(program, r);
+    }
+  }
+
+  // -- Frames ------------------------------------------------------------------------------------------------------
+  // True when the background is only black, which a clear gives for less than a pass.
+  bool blackBackground(const RenderSettings& settings) const {
+    if (settings.view != "lit" || settings.background == Background::None) return true;
+    if (settings.background == Background::Color) return settings.backgroundColor == glm::vec3(0);
+    return std::none_of(ready.begin(), ready.end(), [](const ReadyView& r) { return r.view.scene->environment != nullptr; });
+  }
+
+  void drawSample(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, GLuint framebuffer, Output output) {
+    prepare(views, settings, jitterOf(sample));
+    targets.resize(size.x, size.y, emissive, parameters);
+    gbufferPass();
+    if (settings.view == "lit")
+      lightingPass(settings, framebuffer, output);
+    else
+      bufferViewPass(settings, framebuffer, output);
+    if (!blackBackground(settings)) backgroundPass(settings, framebuffer, output);
+  }
+
+  // Black, and sound (alpha 1) as often as samples will be added.
+  void clear(GLuint framebuffer, float alpha) {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    const GLfloat black[4] = {0, 0, 0, alpha};
+    glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
+  }
+
+  // The pixels that no pass writes are cleared; those of the background pass need none.
+  void drawPicture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
+    // The optional attachments decide the targets, so they are settled before a target is chosen.
+    targets.resize(size.x, size.y, emissive, parameters);
+    picture = &targets.nextPicture();
+    clear(picture->framebuffer.id(), 1);
+    drawSample(views, size, settings, 0, picture->framebuffer.id(), Output::Picture);
+    lastFramebuffer = picture->framebuffer.id();
+    lastSettings = settings;
+  }
+
+  void accumulate(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, Output output) {
+    targets.resize(size.x, size.y, emissive, parameters);
+    const GLuint framebuffer = targets.accumulation();
+    if (sample == 0) {
+      clear(framebuffer, 0);
+      accumulated = 0;
+    }
+    drawSample(views, size, settings, sample, framebuffer, output);
+    ++accumulated;
+  }
+
+  // The average so far into the next picture. Pixels without any pass have no alpha; with a black background they
+  // are sound all the same.
+  void resolve() {
+    picture = &targets.nextPicture();
+    clear(picture->framebuffer.id(), 1);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer.id());
+    glViewport(0, 0, targets.width(), targets.height());
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glBindVertexArray(tileArray.id());
+    const gl::Program& program = programs.shipped(tileVertex(), {"shaders/passes/resolve.frag", {}, {}});
+    program.set("scale", 1.0f / static_cast<float>(accumulated));
+    glBindTextureUnit(0, targets.accumulationTexture());
+    const Tile whole{0, 0, targets.width(), targets.height(), 0, 0};
+    if (!wholeTile) wholeTile = gl::createBuffer(std::as_bytes(std::span(&whole, 1)));
+    glNamedBufferSubData(wholeTile.id(), 0, sizeof whole, &whole);
+    program.set2("targetSize", static_cast<float>(targets.width()), static_cast<float>(targets.height()));
+    program.use();
+    glVertexArrayVertexBuffer(tileArray.id(), 0, wholeTile.id(), 0, sizeof(Tile));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
+  }
+
+  const gl::Context& context;
+  ProgramCache programs;
+  EnvironmentLighting lighting;
+  DeviceMeshes meshes;
+  DeviceTextures textures;
+  FrameTargets targets;
+  FrameBuffer frame;
+  gl::VertexArray tileArray;
+  gl::Buffer wholeTile;
+  gl::Texture blackCube;
+  std::vector<ReadyView> ready;
+  bool emissive = false, parameters = false;
+  int accumulated = 0;
+  FrameTargets::Picture* picture = nullptr;
+  GLuint lastFramebuffer = 0;
+  RenderSettings lastSettings;
+  Diagnostics problems;
+  Statistics statistics;
+  std::map<const ShadingModel*, std::shared_ptr<const ModelShader>> shaders;
+  std::map<uint64_t, Diagnostics> verdicts;   // by the hash of a model's GLSL
+  std::map<std::string, std::shared_ptr<const ModelShader>> lastGood;
+  std::map<std::pair<uint64_t, int>, const gl::Program*> surfacePrograms;
+  std::map<uint64_t, const gl::Program*> lightingPrograms;
+};
+
+Renderer::Renderer(const gl::Context& context) : state_(std::make_unique<State>(context)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::setProgress(Progress progress) { state_->lighting.setProgress(std::move(progress)); }
+const Diagnostics& Renderer::problems() const { return state_->problems; }
+const Renderer::Statistics& Renderer::statistics() const { return state_->statistics; }
+EnvironmentLighting& Renderer::environmentLighting() { return state_->lighting; }
+
+Image8 Renderer::picture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
+  State& s = *state_;
+  if (settings.samples <= 1) {
+    s.drawPicture(views, size, settings);
+  } else {
+    for (int i = 0; i < settings.samples; ++i) s.accumulate(views, size, settings, i, Output::Display);
+    s.resolve();
+  }
+  std::vector<uint8_t> pixels(static_cast<size_t>(size.x) * static_cast<size_t>(size.y) * 4);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, s.picture->framebuffer.id());
+  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  Image8 image(size.x, size.y, 3);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const uint8_t* p = &pixels[(static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)) * 4];
+      std::copy(p, p + 3, image.at(x, y));
+      s.statistics.invalidPixels += p[3] != 255;
+    }
+  return image;
+}
+
+ImageF Renderer::linear(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
+  State& s = *state_;
+  const int samples = std::max(1, settings.samples);
+  for (int i = 0; i < samples; ++i) s.accumulate(views, size, settings, i, Output::Radiance);
+  std::vector<float> pixels(static_cast<size_t>(size.x) * static_cast<size_t>(size.y) * 4);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, s.targets.accumulation());
+  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, pixels.data());
+  ImageF image(size.x, size.y, 3);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const float* p = &pixels[(static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)) * 4];
+      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = p[c] / static_cast<float>(samples);
+    }
+  return image;
+}
+
+unsigned Renderer::drawToTexture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
+  state_->drawPicture(views, size, settings);
+  glFinish();
+  return state_->picture->raw.id();
+}
+
+unsigned Renderer::refineTexture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample) {
+  State& s = *state_;
+  if (sample <= 1) s.accumulate(views, size, settings, 0, Output::Display);
+  s.accumulate(views, size, settings, sample, Output::Display);
+  s.resolve();
+  glFinish();
+  return s.picture->raw.id();
+}
+
+void Renderer::relight() {
+  State& s = *state_;
+  s.lightingPass(s.lastSettings, s.lastFramebuffer, Output::Picture);
+  glFinish();
+}
+
+void Renderer::invalidateModels() {
+  state_->shaders.clear();
+  state_->verdicts.clear();
+}
+
+}  // namespace glint

@@ -1,0 +1,31 @@
+// The pictures that can be drawn of a scene. After "lit" they are in the order of shaders/passes/buffer_view.frag.
+#include "renderer/renderer.h"
+
+namespace glint {
+
+std::span<const ViewMode> viewModes() {
+  static constexpr ViewMode kModes[] = {
+      {"lit", "Lit", "The picture: light, environment and emission"},
+      {"baseColor", "Base color", "Base colour"},
+      {"normal", "Normal", "World-space normal: x, y, z as red, green, blue around a half"},
+      {"metallic", "Metallic", "Metallic, black 0 to white 1"},
+      {"specular", "Specular", "Specular, black 0 to white 1"},
+      {"roughness", "Roughness", "Roughness, black 0 to white 1"},
+      {"cavity", "Cavity", "Cavity, black 0 to white 1"},
+      {"ambientOcclusion", "Ambient occlusion", "Ambient occlusion, black 0 to white 1"},
+      {"emissive", "Emissive", "Emitted light, in nits"},
+      {"modelId", "Shading model", "Each shading model in its own colour"},
+      {"parameters", "Model parameters", "The shading model's first three per-pixel parameters"},
+      {"depth", "Depth", "Distance along the view, near white to far dark"},
+      {"lightCount", "Lights per tile", "Point lights that reach each tile: blue 1 to orange 64 and more"},
+  };
+  return kModes;
+}
+
+const ViewMode* findViewMode(const std::string& id) {
+  for (const ViewMode& mode : viewModes())
+    if (id == mode.id) return &mode;
+  return nullptr;
+}
+
+}  // namespace glint

@@ -1,0 +1,73 @@
+#version 450 core
+// The environment BRDF of a model (Karis 2013, eq. 8), over x: NoV, y: roughness. Any Fresnel is taken as linear in
+// F0 through its values at 0.04 and 1, which is exact for Schlick's. Half-vector space with tan(theta_h) = alpha
+// tan(psi): the same density of points for any width of the lobe.
+//   r, g: scale on F0 and bias;  b: albedo of the diffuse part for diffuseColor 1
+#include "shaders/common/shading.glsl"
+#pragma glint model
+layout(location = 0) flat in ivec2 inLights;
+layout(location = 0) out vec4 outColor;
+uniform vec2 size;
+uniform vec4 standardParameters;
+const int kPsi = 64, kPhi = 48, kDiffuse = 16;
+
+void main() {
+  float NoV = max(gl_FragCoord.x / size.x, 1e-3);
+  vec3 N = vec3(0.0, 0.0, 1.0);
+  vec3 V = vec3(sqrt(max(1.0 - NoV * NoV, 0.0)), 0.0, NoV);
+  Shading s;
+  s.roughness = gl_FragCoord.y / size.y;
+  s.alpha = alphaFromRoughness(s.roughness);
+  s.diffuseColor = s.baseColor = vec3(1.0);
+  s.metallic = 1.0;
+  s.specular = 0.5;
+  s.analyticLight = false;
+  s.T = vec3(1.0, 0.0, 0.0);
+  s.B = vec3(0.0, 1.0, 0.0);
+  Parameters p = modelParameters(standardParameters);
+
+  float at004 = 0.0, at1 = 0.0;
+  for (int i = 0; i < kPsi; ++i) {
+    float psi = (float(i) + 0.5) / float(kPsi) * 1.5707963267948966;
+    float t = s.alpha * tan(psi);
+    float cos2 = 1.0 / (1.0 + t * t);
+    float cosTheta = sqrt(cos2), sinTheta = t * cosTheta;
+    // d omega_h = sin(theta) d theta d phi; d theta = alpha cos^2(theta) / cos^2(psi) d psi; both halves of phi.
+    float cosPsi = cos(psi);
+    float measure = sinTheta * s.alpha * cos2 / (cosPsi * cosPsi) * (1.5707963267948966 / float(kPsi)) *
+                    (2.0 * kPi / float(kPhi));
+    for (int j = 0; j < kPhi; ++j) {
+      float phi = (float(j) + 0.5) / float(kPhi) * kPi;
+      vec3 H = vec3(sinTheta * cos(phi), sinTheta * sin(phi), cosTheta);
+      float VoH = dot(V, H);
+      vec3 L = 2.0 * VoH * H - V;
+      if (VoH > 0.0 && L.z > 0.0) {
+        setDirections(s, N, V, L);
+        // From the half vector itself: going through L loses its last digits.
+        s.sinH2 = sinTheta * sinTheta;
+        s.NoH = cosTheta;
+        float weight = measure * 4.0 * VoH * L.z;
+        s.F0 = vec3(0.04);
+        at004 += modelSpecular(s, p).r * weight;
+        s.F0 = vec3(1.0);
+        at1 += modelSpecular(s, p).r * weight;
+      }
+    }
+  }
+  s.F0 = vec3(0.04);
+  s.metallic = 0.0;
+  float diffuseAlbedo = 0.0;
+  for (int i = 0; i < kDiffuse; ++i)
+    for (int j = 0; j < kDiffuse; ++j) {
+      // Cosine-weighted, stratified: f / pdf is pi f.
+      float cos2 = (float(i) + 0.5) / float(kDiffuse);
+      float phi = (float(j) + 0.5) / float(kDiffuse) * kPi;
+      vec3 L = vec3(sqrt(1.0 - cos2) * cos(phi), sqrt(1.0 - cos2) * sin(phi), sqrt(cos2));
+      setDirections(s, N, V, L);
+      diffuseAlbedo += modelDiffuse(s, p).r * kPi / float(kDiffuse * kDiffuse);
+    }
+  float scale = (at1 - at004) / 0.96;
+  vec3 table = vec3(scale, at004 - 0.04 * scale, diffuseAlbedo);
+  bool sound = abs(table.x) < 1e4 && abs(table.y) < 1e4 && abs(table.z) < 1e4;
+  outColor = sound ? vec4(table, 1.0) : vec4(0.0);
+}

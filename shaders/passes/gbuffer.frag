@@ -1,0 +1,57 @@
+#version 450 core
+#include "shaders/common/view.glsl"
+#include "shaders/common/material.glsl"
+layout(location = 0) in vec3 inNormal;
+layout(location = 1) in vec3 inPosition;
+layout(location = 2) in vec4 inTangent;
+layout(location = 3) in vec2 inUv0;
+layout(location = 4) in vec2 inUv1;
+layout(location = 5) in vec4 inColor;
+layout(location = 6) in vec3 inLocalPosition;
+layout(location = 0) out vec4 outBaseColor;
+layout(location = 1) out vec4 outNormal;
+layout(location = 2) out vec4 outMaterial;
+#ifdef WRITES_EMISSIVE
+layout(location = 3) out vec4 outEmissive;
+#endif
+#ifdef WRITES_PARAMETERS
+layout(location = 4) out vec4 outParameters;
+#endif
+uniform float lightGroup;      // / 255
+uniform float opacityCutoff;
+uniform vec4 standardParameters;
+
+#pragma glint material
+
+void main() {
+  MaterialInputs i;
+  i.uv0 = inUv0;
+  i.uv1 = inUv1;
+  i.vertexColor = inColor;
+  i.position = inPosition;
+  i.localPosition = inLocalPosition;
+  i.normal = normalize(gl_FrontFacing ? inNormal : -inNormal);
+  i.tangent = normalize(inTangent.xyz - i.normal * dot(i.normal, inTangent.xyz));
+  i.bitangent = cross(i.normal, i.tangent) * inTangent.w;
+  i.view = towardsViewer(gl_FragCoord.xy);
+  MaterialAttributes m;
+  m.model = standardParameters;
+  evaluateMaterial(i, m);
+#ifdef WRITES_OPACITY_MASK
+  if (m.opacityMask < opacityCutoff) discard;
+#endif
+  vec3 normal = i.normal;
+#ifdef WRITES_NORMAL
+  normal = normalize(m.normal.x * i.tangent + m.normal.y * i.bitangent + m.normal.z * i.normal);
+#endif
+  // Half floats end at 65504; metallic, specular and roughness are clamped by their format.
+  outBaseColor = vec4(clamp(m.baseColor, 0.0, 65504.0), m.ambientOcclusion);
+  outNormal = vec4(normal, clamp(m.cavity, 0.0, 1.0));
+  outMaterial = vec4(m.metallic, m.specular, m.roughness, lightGroup);
+#ifdef WRITES_EMISSIVE
+  outEmissive = vec4(clamp(m.emissive, 0.0, 65000.0), 1.0);
+#endif
+#ifdef WRITES_PARAMETERS
+  outParameters = m.model;
+#endif
+}

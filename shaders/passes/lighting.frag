@@ -1,0 +1,104 @@
+#version 450 core
+// Light on the G-buffer, for one shading model: the stencil lets only its pixels through.
+#include "shaders/common/view.glsl"
+#include "shaders/common/gbuffer_read.glsl"
+#include "shaders/common/shading.glsl"
+#include "shaders/common/output.glsl"
+#pragma glint model
+
+layout(location = 0) flat in ivec2 inLights;
+layout(location = 0) out vec4 outColor;
+
+struct DirectionalLight {
+  vec4 direction;  // towards the light
+  vec4 radiance;   // lux: E = radiance NoL
+};
+layout(std140, binding = 2) uniform DirectionalLights { DirectionalLight directional[16]; };
+
+#ifdef POINT_LIGHTS
+struct PointLight {
+  vec4 position;   // w: 1 / radius^2
+  vec4 intensity;  // candela
+};
+layout(std430, binding = 0) readonly buffer PointLights { PointLight points[]; };
+layout(std430, binding = 1) readonly buffer LightList { uint lightList[]; };
+#endif
+
+#ifdef ENVIRONMENT
+layout(binding = 6) uniform samplerCube prefilteredEnvironment;
+layout(binding = 7) uniform sampler2D environmentBrdf;  // x: NoV, y: roughness
+layout(std140, binding = 3) uniform EnvironmentData { vec4 irradiance[9]; };  // spherical harmonics of E / pi
+
+// Ramamoorthi and Hanrahan 2001; the constants of the basis are folded into the coefficients.
+vec3 diffuseIrradiance(vec3 n) {
+  vec3 e = irradiance[0].rgb + irradiance[1].rgb * n.y + irradiance[2].rgb * n.z + irradiance[3].rgb * n.x +
+           irradiance[4].rgb * (n.x * n.y) + irradiance[5].rgb * (n.y * n.z) +
+           irradiance[6].rgb * (3.0 * n.z * n.z - 1.0) + irradiance[7].rgb * (n.x * n.z) +
+           irradiance[8].rgb * (n.x * n.x - n.y * n.y);
+  return max(e, 0.0);
+}
+#endif
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  Surface surface = readSurface(pixel);
+  vec3 N = surface.normal;
+  vec3 V = towardsViewer(gl_FragCoord.xy);
+
+  Shading s;
+  s.roughness = surface.roughness;
+  s.alpha = alphaFromRoughness(surface.roughness);
+  s.baseColor = surface.baseColor;
+  s.metallic = surface.metallic;
+  s.specular = surface.specular;
+  s.diffuseColor = surface.baseColor * (1.0 - surface.metallic);
+  s.F0 = mix(vec3(0.08 * surface.specular), surface.baseColor, surface.metallic);
+  s.analyticLight = true;
+  // Any frame around the normal: no attribute turns it.
+  s.T = normalize(abs(N.y) < 0.99 ? cross(vec3(0.0, 1.0, 0.0), N) : cross(N, vec3(1.0, 0.0, 0.0)));
+  s.B = cross(N, s.T);
+#ifdef READS_PARAMETERS
+  Parameters p = modelParameters(texelFetch(gParameters, pixel, 0));
+#else
+  Parameters p = modelParameters(vec4(0.0));
+#endif
+
+  vec3 radiance = vec3(0.0);
+  for (int i = 0; i < view.directionalCount; ++i) {
+    vec3 L = directional[i].direction.xyz;
+    setDirections(s, N, V, L);
+    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
+  }
+#ifdef POINT_LIGHTS
+  vec3 position = worldPosition(gl_FragCoord.xy, texelFetch(gDepth, pixel, 0).r);
+  for (int i = 0; i < inLights.y; ++i) {
+    PointLight light = points[lightList[inLights.x + i]];
+    vec3 toLight = light.position.xyz - position;
+    float distance2 = dot(toLight, toLight);
+    vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
+    // Karis 2013, eq. 9: inverse square, windowed to reach zero at the radius, and finite at the light.
+    float ratio2 = distance2 * light.position.w;
+    float window = clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
+    float weight = window * window / (distance2 + 1.0) * max(dot(N, L), 0.0);
+    setDirections(s, N, V, L);
+    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (light.intensity.rgb * weight);
+  }
+#endif
+#ifdef ENVIRONMENT
+  // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables. x and y: scale on F0 and bias of the
+  // specular part, z: albedo of the diffuse part over Lambert's.
+  float NoV = clamp(dot(N, V), 0.0, 1.0);
+  vec3 table = texture(environmentBrdf, vec2(NoV, surface.roughness)).xyz;
+  vec3 R = 2.0 * dot(N, V) * N - V;
+  float level = view.environmentLevels * surface.roughness * (1.7 - 0.7 * surface.roughness);
+  vec3 specularLight = textureLod(prefilteredEnvironment, environmentFromWorld(R), level).rgb;
+  vec3 diffuseLight = diffuseIrradiance(environmentFromWorld(N));
+  radiance += (specularLight * max(s.F0 * table.x + table.y, 0.0) + diffuseLight * s.diffuseColor * table.z) *
+              (surface.ambientOcclusion * view.environmentIntensity);
+#endif
+  radiance *= surface.cavity;
+#ifdef EMISSIVE
+  radiance += texelFetch(gEmissive, pixel, 0).rgb;
+#endif
+  outColor = outputColor(radiance);
+}

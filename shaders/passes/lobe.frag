@@ -1,0 +1,30 @@
+#version 450 core
+// The lobe of a model seen from the normal, over the angle of the light: what the prefiltered environment averages
+// with. x: angle, theta = pi/2 u^2 over the row; y: roughness. A model with a D has Karis' kernel D NoL (2013,
+// PrefilterEnvMap); one without, its own f NoL.
+#include "shaders/common/shading.glsl"
+#pragma glint model
+layout(location = 0) flat in ivec2 inLights;
+layout(location = 0) out vec4 outColor;
+uniform float width;
+uniform float roughnesses[16];
+uniform vec4 standardParameters;
+
+void main() {
+  float u = gl_FragCoord.x / width;
+  float theta = 1.5707963267948966 * u * u;
+  Shading s;
+  s.roughness = roughnesses[int(gl_FragCoord.y)];
+  s.alpha = alphaFromRoughness(s.roughness);
+  s.baseColor = s.F0 = vec3(1.0);
+  s.diffuseColor = vec3(0.0);
+  s.metallic = 1.0;
+  s.specular = 0.5;
+  s.analyticLight = false;
+  s.T = vec3(1.0, 0.0, 0.0);
+  s.B = vec3(0.0, 1.0, 0.0);
+  setDirections(s, vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), vec3(sin(theta), 0.0, cos(theta)));
+  Parameters p = modelParameters(standardParameters);
+  float kernel = (modelHasD ? modelD(s, p) : dot(modelSpecular(s, p), vec3(1.0 / 3.0))) * cos(theta);
+  outColor = vec4(kernel < 1e30 ? max(kernel, 0.0) : 0.0);
+}

@@ -1,0 +1,11 @@
+#version 450 core
+// The average of the samples, into the picture.
+layout(location = 0) flat in ivec2 inLights;
+layout(location = 0) out vec4 outColor;
+layout(binding = 0) uniform sampler2D accumulated;
+uniform float scale;       // 1 / samples
+
+void main() {
+  vec4 sum = texelFetch(accumulated, ivec2(gl_FragCoord.xy), 0) * scale;
+  outColor = vec4(max(sum.rgb, 0.0), sum.a > 0.999 ? 1.0 : 0.0);
+}

@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/environment_lighting.h"
+#include "renderer/renderer.h"
+#include "tests/support/simple_scene.h"
+
+namespace glint {
+namespace {
+
+class RendererTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto made = gl::Context::create({.backend = gl::Backend::Egl});
+    ASSERT_TRUE(made);
+    context = std::move(*made).release();
+    models = new ModelRegistry();
+    renderer = new Renderer(*context);
+    sphere = sphereMesh(48, 24);
+  }
+  static void TearDownTestSuite() {
+    delete renderer;
+    delete models;
+    delete context;
+    sphere.reset();
+  }
+
+  static Scene sphereScene(const std::string& model, const test::Look& look) {
+    Scene scene;
+    scene.materials.push_back(test::material(models->find(model), look));
+    scene.instances.push_back({sphere, glm::mat4(1), 0});
+    return scene;
+  }
+  static Camera orthographic() {
+    Camera camera;
+    camera.orthoHeight = 2.5f;
+    return camera;
+  }
+  static ImageF linear(const Scene& scene, const Camera& camera, int side = 64, RenderSettings settings = {}) {
+    const View view{&scene, camera, {0, 0, side, side}};
+    return renderer->linear(std::span(&view, 1), {side, side}, settings);
+  }
+  static float center(const ImageF& image) { return image.at(image.width / 2, image.height / 2)[0]; }
+
+  static inline gl::Context* context = nullptr;
+  static inline ModelRegistry* models = nullptr;
+  static inline Renderer* renderer = nullptr;
+  static inline MeshPtr sphere;
+};
+
+// product.md 1: a white Lambert surface facing pi lux shows 1 at exposure 0.
+TEST_F(RendererTest, WhiteLambertFacingPiLuxShowsOne) {
+  Scene scene = sphereScene("blinn-phong", {.baseColor = glm::vec3(1), .roughness = 0.7f, .specular = 0});
+  scene.lights.push_back({.kind = LightKind::Directional, .direction = {0, 0, 1}, .lux = 3.14159265f});
+  EXPECT_NEAR(center(linear(scene, orthographic())), 1.0f, 5e-3f);
+}
+
+// Karis 2013, eq. 9.
+TEST_F(RendererTest, PointLightFollowsTheWindowedInverseSquare) {
+  Scene scene = sphereScene("blinn-phong", {.baseColor = glm::vec3(1), .roughness = 0.7f, .specular = 0});
+  for (const float distance : {0.5f, 1.0f, 3.0f, 7.9f, 8.5f}) {
+    scene.lights = {{.kind = LightKind::Point, .position = {0, 0, 1 + distance}, .candela = 10, .radius = 8}};
+    const float ratio = distance / 8;
+    const float window = std::pow(std::clamp(1 - ratio * ratio * ratio * ratio, 0.0f, 1.0f), 2.0f);
+    const float expected = 10 * window / (distance * distance + 1) / 3.14159265f;
+    EXPECT_NEAR(center(linear(scene, orthographic())), expected, 0.01f * expected + 1e-4f) << distance;
+  }
+}
+
+// A light list must not change what is drawn: many lights, each in view of few tiles, against their sum one by one.
+TEST_F(RendererTest, ManyLightsAreTheSumOfEach) {
+  Scene scene = sphereScene("ggx", {.baseColor = glm::vec3(0.6f), .roughness = 0.4f});
+  std::vector<Light> lights;
+  for (int i = 0; i < 20; ++i) {
+    const float a = static_cast<float>(i) * 0.9f;
+    lights.push_back({.kind = LightKind::Point, .position = {1.6f * std::cos(a), 1.6f * std::sin(a), 0.3f * static_cast<float>(i % 5)}, .candela = 2, .radius = 1.2f});
+  }
+  scene.lights = lights;
+  const ImageF together = linear(scene, Camera{}, 96);
+  ImageF sum(96, 96, 3);
+  for (const Light& light : lights) {
+    scene.lights = {light};
+    const ImageF one = linear(scene, Camera{}, 96);
+    for (size_t i = 0; i < sum.data.size(); ++i) sum.data[i] += one.data[i];
+  }
+  float brightest = 0;
+  for (size_t i = 0; i < sum.data.size(); ++i) {
+    brightest = std::max(brightest, sum.data[i]);
+    ASSERT_NEAR(together.data[i], sum.data[i], 1e-3f * (1 + sum.data[i])) << i;
+  }
+  EXPECT_GT(brightest, 0.5f);
+}
+
+// White furnace, diffuse part: a white Lambert surface under light from everywhere reflects all of it.
+TEST_F(RendererTest, WhiteDiffuseVanishesInTheFurnace) {
+  Scene scene = sphereScene("blinn-phong", {.baseColor = glm::vec3(1), .roughness = 0.5f, .specular = 0});
+  scene.environment = test::uniformEnvironment(1);
+  const ImageF image = linear(scene, orthographic());
+  EXPECT_NEAR(center(image), 1.0f, 0.02f);
+  EXPECT_NEAR(image.at(2, 2)[0], 1.0f, 2e-3f) << "background";
+}
+
+// White furnace, specular part: a metal with F0 = 1 shows the model's directional albedo at n = v.
+// physics.md 3: E(r = 1, nv = 1) of GGX is 1 - ln 2, of the thesis' Blinn-Phong .2688, of its Cook-Torrance .4534.
+TEST_F(RendererTest, MetalInTheFurnaceShowsTheAlbedo) {
+  const struct {
+    const char* model;
+    float albedo;
+  } cases[] = {{"ggx", 0.30685f}, {"blinn-phong", 0.2688f}, {"cook-torrance", 0.4534f}, {"burley", 0.3069f}, {"ue4-2013", 0.3069f}};
+  for (const auto& c : cases) {
+    Scene scene = sphereScene(c.model, {.baseColor = glm::vec3(1), .metallic = 1, .roughness = 1});
+    scene.environment = test::uniformEnvironment(1);
+    EXPECT_NEAR(center(linear(scene, orthographic())), c.albedo, 4e-3f) << c.model;
+  }
+}
+
+TEST_F(RendererTest, ViewsOfOnePictureAreWhatEachIsAlone) {
+  Scene left = sphereScene("ggx", {.baseColor = {0.8f, 0.1f, 0.1f}, .roughness = 0.3f});
+  Scene right = sphereScene("burley", {.baseColor = {0.1f, 0.1f, 0.8f}, .metallic = 1, .roughness = 0.5f});
+  left.lights = right.lights = {{.kind = LightKind::Directional, .direction = glm::normalize(glm::vec3(1, 1, 1))}};
+  left.environment = right.environment = test::uniformEnvironment(0.5f);
+  const View views[] = {{&left, Camera{}, {0, 0, 64, 64}}, {&right, Camera{}, {64, 0, 64, 64}}};
+  const ImageF both = renderer->linear(views, {128, 64}, {});
+  const ImageF alone = linear(right, Camera{});
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(both.at(64 + x, y)[c], alone.at(x, y)[c], 2e-3f * (1 + alone.at(x, y)[c])) << x << "," << y;
+}
+
+// Turning the environment by +90 degrees about +Y brings what was at +X to -Z (right-handed).
+TEST_F(RendererTest, EnvironmentTurnsRightHanded) {
+  auto environment = std::make_shared<Environment>(*test::uniformEnvironment(0));
+  // u = 0.5 is +X: a bright spot there.
+  for (int y = 14; y < 18; ++y)
+    for (int x = 30; x < 34; ++x) environment->pixels.at(x, y)[0] = 10;
+  environment->hash = 77;
+  Scene scene;
+  scene.environment = environment;
+  Camera camera;
+  camera.eye = glm::vec3(0);
+  camera.target = {1, 0, 0};
+  EXPECT_GT(center(linear(scene, camera)), 5.0f);
+  scene.environmentRotation = 1.57079633f;
+  camera.target = {0, 0, -1};
+  EXPECT_GT(center(linear(scene, camera)), 5.0f);
+}
+
+TEST_F(RendererTest, PictureIsUprightAndEncoded) {
+  // Light from above: the top of the sphere is bright, the bottom dark.
+  Scene scene = sphereScene("ggx", {.baseColor = glm::vec3(0.5f), .roughness = 0.8f});
+  scene.lights.push_back({.kind = LightKind::Directional, .direction = {0, 1, 0}});
+  RenderSettings settings;
+  settings.background = Background::Color;
+  settings.backgroundColor = glm::vec3(0.21404114f);  // 50 % grey in sRGB
+  const View view{&scene, orthographic(), {0, 0, 64, 64}};
+  const Image8 image = renderer->picture(std::span(&view, 1), {64, 64}, settings);
+  EXPECT_GT(image.at(32, 12)[0], 100);
+  EXPECT_LT(image.at(32, 52)[0], 10);
+  EXPECT_NEAR(image.at(1, 1)[0], 128, 1);
+  settings.samples = 4;
+  const Image8 smooth = renderer->picture(std::span(&view, 1), {64, 64}, settings);
+  EXPECT_NEAR(smooth.at(1, 1)[0], 128, 1);
+  EXPECT_NEAR(smooth.at(32, 12)[0], image.at(32, 12)[0], 12);
+  EXPECT_EQ(renderer->statistics().invalidPixels, 0);
+}
+
+TEST_F(RendererTest, EveryViewModeDraws) {
+  Scene scene = sphereScene("burley", {.baseColor = {0.9f, 0.5f, 0.2f}, .metallic = 1, .roughness = 0.6f});
+  scene.environment = test::uniformEnvironment(1);
+  scene.lights = {{.kind = LightKind::Point, .position = {0, 0, 2}, .radius = 4}};
+  const View view{&scene, orthographic(), {0, 0, 32, 32}};
+  for (const ViewMode& mode : viewModes()) {
+    RenderSettings settings;
+    settings.view = mode.id;
+    const Image8 image = renderer->picture(std::span(&view, 1), {32, 32}, settings);
+    EXPECT_FALSE(image.empty()) << mode.id;
+    if (settings.view == "roughness") EXPECT_NEAR(image.at(16, 16)[0], 153, 1);
+    if (settings.view == "metallic") EXPECT_NEAR(image.at(16, 16)[0], 255, 1);
+  }
+}
+
+// The clusters that face away are skipped: about half of a sphere's triangles, and none that is seen.
+TEST_F(RendererTest, TrianglesThatFaceAwayAreNotDrawn) {
+  Scene scene = sphereScene("ggx", {});
+  (void)linear(scene, Camera{});
+  const int all = static_cast<int>(sphere->indices.size() / 3);
+  EXPECT_LT(renderer->statistics().triangles, all * 2 / 3);
+  scene.materials[0].doubleSided = true;
+  scene.environment = test::uniformEnvironment(1);
+  const ImageF whole = linear(scene, Camera{});
+  EXPECT_EQ(renderer->statistics().triangles, all);
+  scene.materials[0].doubleSided = false;
+  const ImageF culled = linear(scene, Camera{});
+  for (size_t i = 0; i < whole.data.size(); ++i) ASSERT_NEAR(whole.data[i], culled.data[i], 1e-3f);
+}
+
+}  // namespace
+}  // namespace glint
