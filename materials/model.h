@@ -74,6 +74,11 @@ struct ShadingModel {
   std::array<float, 4> standardSlots() const;
 };
 
+// Whether `id` can name a model: it travels in file names and on command lines. The rule is in words for hints.
+bool isModelId(const std::string& id);
+inline constexpr const char* kModelIdRule =
+    "up to 64 letters, digits, '-', '_' and '.', a letter or digit first";
+
 // Reads one plugin from its text. Every fault of the head is reported, each at its line of the file.
 Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::string& text);
 

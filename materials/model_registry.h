@@ -15,7 +15,8 @@ using ModelPtr = std::shared_ptr<const ShadingModel>;
 
 class ModelRegistry {
  public:
-  // Reads the shipped models, then each folder's *.glsl in order. Two files with one id: the first stays,
+  // Reads the shipped models, then each folder's *.glsl in order, the folder models/ of the user's configuration
+  // last. Hidden files are left out; a link is followed; files over 256 KiB are an error. Two files with one id: the first stays,
   // the second is an error that names both. Faults never stop the others: see problems().
   explicit ModelRegistry(std::vector<std::filesystem::path> folders = {});
 
@@ -34,9 +35,14 @@ class ModelRegistry {
   struct File {
     std::filesystem::file_time_type time;
     uintmax_t size = 0;
+    uint64_t hash = 0;
+    bool read = false;
+    bool young = false;     // changed so shortly before it was read that time and size cannot tell
     ModelPtr model;         // last good one
     Diagnostics problems;   // of the text as it is now
   };
+  std::vector<std::filesystem::path> listFiles(Diagnostics&) const;
+  bool readAgain(const std::filesystem::path&, File&);
   std::vector<std::filesystem::path> folders_;
   std::map<std::filesystem::path, File> files_;
   std::map<std::string, ModelPtr, std::less<>> models_;

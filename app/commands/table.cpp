@@ -5,9 +5,16 @@ namespace glint {
 
 extern const Command kDiffCommand;
 extern const Command kInfoCommand;
+extern const Command kModelsCommand;
+extern const Command kNewModelCommand;
 
 std::span<const Command* const> commands() {
-  static const Command* const table[] = {&kDiffCommand, &kInfoCommand};
+  static const Command* const table[] = {
+      &kDiffCommand,
+      &kModelsCommand,
+      &kNewModelCommand,
+      &kInfoCommand,
+  };
   return table;
 }
 

@@ -29,13 +29,17 @@ void setDirections(inout Shading s, vec3 N, vec3 V, vec3 L) {
   s.L = L;
   vec3 sum = V + L;
   float length2 = dot(sum, sum);
+  float toHalf = inversesqrt(max(length2, 1e-12));
   // Opposite directions have no half vector; any perpendicular one will do.
-  s.H = length2 > 1e-12 ? sum * inversesqrt(length2) : N;
-  s.NoL = clamp(dot(N, L), 1e-4, 1.0);
-  s.NoV = clamp(dot(N, V), 1e-4, 1.0);
-  s.NoH = clamp(dot(N, s.H), 0.0, 1.0);
-  s.VoH = clamp(dot(V, s.H), 0.0, 1.0);
+  s.H = length2 > 1e-12 ? sum * toHalf : N;
+  float NoL = dot(N, L), NoV = dot(N, V);
+  s.NoL = clamp(NoL, 1e-4, 1.0);
+  s.NoV = clamp(NoV, 1e-4, 1.0);
+  // From the sum instead of H: fewer products, and the same to the last digit when V and L change places.
+  // v.h = |v + l| / 2 does not cancel where v.h is small.
+  s.NoH = clamp((NoL + NoV) * toHalf, 0.0, 1.0);
+  s.VoH = min(0.5 * length2 * toHalf, 1.0);
   s.LoV = clamp(dot(L, V), -1.0, 1.0);
-  vec3 NxH = cross(N, s.H);
-  s.sinH2 = min(dot(NxH, NxH), 1.0);
+  vec3 across = cross(N, sum);
+  s.sinH2 = min(dot(across, across) * (toHalf * toHalf), 1.0);
 }

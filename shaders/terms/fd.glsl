@@ -1,6 +1,6 @@
 // Diffuse parts, f itself with its 1/pi, from s.diffuseColor.
-#ifndef GLINT_TERMS_DIFFUSE
-#define GLINT_TERMS_DIFFUSE
+#ifndef GLINT_TERMS_FD
+#define GLINT_TERMS_FD
 
 // Lambert 1760.
 vec3 Fd_Lambert(Shading s) { return s.diffuseColor * (1.0 / kPi); }

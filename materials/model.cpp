@@ -1,0 +1,288 @@
+#include "materials/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/attributes.h"
+#include "materials/base/hash.h"
+#include "materials/front_matter.h"
+#include "materials/glsl_scan.h"
+#include "materials/terms.h"
+#include "shaders/shipped_files.h"
+
+namespace glint {
+namespace {
+
+constexpr size_t kLargestModel = size_t{256} << 10, kMostParameters = 32;
+
+// Words that cannot be the name of a struct's member in GLSL 4.50.
+const std::vector<std::string_view> kGlslWords = {
+    "attribute", "bool",     "break",    "buffer",   "bvec2",   "bvec3",    "bvec4",    "case",      "centroid",
+    "coherent",  "const",    "continue", "default",  "discard", "do",       "double",   "else",      "false",
+    "flat",      "float",    "for",      "goto",     "half",    "highp",    "if",       "image2D",   "in",
+    "inout",     "input",    "int",      "invariant", "isampler2D", "ivec2", "ivec3",    "ivec4",     "layout",
+    "long",      "lowp",     "mat2",     "mat3",     "mat4",    "mediump",  "namespace", "noperspective", "out",
+    "output",    "patch",    "precise",  "precision", "readonly", "restrict", "return", "sample",    "sampler2D",
+    "sampler3D", "samplerCube", "shared", "short",   "smooth",  "struct",   "subroutine", "switch",  "this",
+    "true",      "uint",     "uniform",  "unsigned", "using",   "uvec2",    "uvec3",    "uvec4",     "varying",
+    "vec2",      "vec3",     "vec4",     "void",     "volatile", "while",   "writeonly"};
+
+// What is wrong with a name for a member of `Parameters`, or nothing.
+std::string faultOfName(const std::string& name) {
+  if (name.empty() || name.size() > 64 || std::isdigit(static_cast<unsigned char>(name[0])) ||
+      !std::all_of(name.begin(), name.end(),
+                   [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); }))
+    return "is not a GLSL name of letters, digits and _";
+  if (name.starts_with("gl_") || name.starts_with("glint") || name.find("__") != name.npos ||
+      std::find(kGlslWords.begin(), kGlslWords.end(), name) != kGlslWords.end())
+    return "is a reserved word";
+  if (findAttribute(name)) return "is the name of an attribute";
+  return {};
+}
+
+bool inRange(const Value& value, float low, float high) {
+  for (int i = 0; i < componentCount(value.type); ++i)
+    if (!(value.v[static_cast<size_t>(i)] >= low && value.v[static_cast<size_t>(i)] <= high)) return false;
+  return true;
+}
+
+std::optional<ModelParameter> readParameter(const Json& json, const std::string& file, Diagnostics& problems) {
+  std::string where = "parameter";
+  if (const Json* name = json.find("name"); name && name->isString()) where += " '" + name->text + "'";
+  ObjectReader reader(json, file, where, problems);
+  const size_t before = problems.size();
+  ModelParameter parameter;
+  parameter.name = reader.text("name", true).value_or("");
+  if (const Json* name = json.find("name"); name && name->isString())
+    if (const std::string fault = faultOfName(name->text); !fault.empty())
+      reader.problem(*name, "the name " + fault, "choose another");
+  parameter.title = reader.text("title").value_or(parameter.name);
+  parameter.doc = reader.text("doc").value_or("");
+  const auto typeName = reader.text("type", true);
+  static const std::vector<std::string> kTypes = {"bool", "int", "float", "vec2", "vec3", "vec4", "color"};
+  const std::optional<ValueType> found = typeName ? valueType(*typeName) : std::nullopt;
+  const ValueType type = found.value_or(ValueType::Texture);
+  if (typeName && componentCount(type) == 0)
+    reader.problem(*json.find("type"), fmt::format("unknown type '{}'", *typeName), suggestion(*typeName, kTypes));
+  parameter.minimum = reader.number("min").value_or(0.f);
+  parameter.maximum = reader.number("max").value_or(1.f);
+  if (!(parameter.minimum < parameter.maximum)) {
+    const Json* at = json.find("max") ? json.find("max") : json.find("min");
+    reader.problem(at ? *at : json,
+                   fmt::format("the range {}..{} is empty", parameter.minimum, parameter.maximum),
+                   "'min' must be less than 'max'; they are 0 and 1 when not given");
+  }
+  if (componentCount(type) > 0) {
+    if (const auto value = reader.value("default", type, true)) {
+      parameter.standard = *value;
+      if (type != ValueType::Bool && parameter.minimum < parameter.maximum &&
+          !inRange(*value, parameter.minimum, parameter.maximum))
+        reader.problem(*json.find("default"),
+                       fmt::format("the default {} is outside {}..{}", valueText(*value), parameter.minimum,
+                                   parameter.maximum),
+                       "widen the range or move the default");
+    }
+  } else {
+    reader.any("default");
+  }
+  reader.finish();
+  if (problems.size() != before) return std::nullopt;
+  return parameter;
+}
+
+void readParameters(const Json& list, const std::string& file, ShadingModel& model, Diagnostics& problems) {
+  if (list.items.size() > kMostParameters) {
+    problems.push_back(error(fmt::format("{}:{}", file, list.line),
+                             fmt::format("{} parameters", list.items.size()),
+                             fmt::format("at most {} are possible", kMostParameters)));
+    return;
+  }
+  int used = 0;
+  std::vector<std::pair<std::string, int>> seen;
+  for (const Json& item : list.items) {
+    if (const Json* name = item.find("name"); name && name->isString()) {
+      for (const auto& [other, line] : seen)
+        if (other == name->text)
+          problems.push_back(error(fmt::format("{}:{}", file, name->line),
+                                   fmt::format("a second parameter '{}'", name->text),
+                                   fmt::format("the first is on line {}", line)));
+      seen.emplace_back(name->text, name->line);
+    }
+    auto parameter = readParameter(item, file, problems);
+    if (!parameter) continue;
+    const int count = componentCount(parameter->standard.type);
+    if (used + count <= 4) {
+      parameter->slot = used;
+      used += count;
+    }
+    model.parameters.push_back(std::move(*parameter));
+  }
+}
+
+void readTerms(const Json& json, const std::string& file, ShadingModel& model, Diagnostics& problems) {
+  ObjectReader reader(json, file, "terms", problems);
+  const auto read = [&](std::string_view key, TermKind kind, std::string& term) {
+    const auto name = reader.text(key);
+    if (!name) return;
+    const std::vector<std::string> known = termNames(kind);
+    if (std::find(known.begin(), known.end(), *name) == known.end())
+      reader.problem(*json.find(key), fmt::format("unknown {} term '{}'", key, *name), suggestion(*name, known));
+    term = *name;
+  };
+  read("D", TermKind::D, model.termD);
+  read("V", TermKind::V, model.termV);
+  read("G", TermKind::V, model.termG);
+  read("F", TermKind::F, model.termF);
+  read("diffuse", TermKind::Diffuse, model.termDiffuse);
+  if (!model.termV.empty() && !model.termG.empty())
+    reader.problem(*json.find("G"), "both V and G are named", "V is G / (4 NoL NoV): name one");
+  reader.finish();
+}
+
+void readHead(const Json& head, const std::string& file, ShadingModel& model, Diagnostics& problems) {
+  ObjectReader reader(head, file, "", problems);
+  model.id = reader.text("id", true).value_or("");
+  if (const Json* id = head.find("id"); id && id->isString() && !isModelId(id->text))
+    reader.problem(*id, fmt::format("'{}' is no id", id->text.substr(0, 64)), kModelIdRule);
+  model.title = reader.text("title").value_or(model.id);
+  model.doc = reader.text("doc").value_or("");
+  if (const auto color = reader.value("color", ValueType::Vec3)) {
+    if (!inRange(*color, 0, 1)) reader.problem(*head.find("color"), "'color' is outside 0..1", "three numbers from 0 to 1");
+    model.color = {color->v[0], color->v[1], color->v[2]};
+  } else {
+    // A colour of its own for each id, neither dark nor pale.
+    const uint64_t hash = hashText(model.id);
+    for (size_t i = 0; i < 3; ++i) {
+      const float angle = 6.2831853f * (static_cast<float>(hash % 1024) / 1024.f + static_cast<float>(i) / 3.f);
+      model.color[i] = 0.6f + 0.25f * std::cos(angle);
+    }
+  }
+  if (const Json* list = reader.array("parameters")) readParameters(*list, file, model, problems);
+  if (const Json* json = reader.object("terms")) readTerms(*json, file, model, problems);
+  if (const Json* json = reader.object("claims")) {
+    ObjectReader claims(*json, file, "claims", problems);
+    model.claims.reciprocal = claims.boolean("reciprocal").value_or(false);
+    model.claims.energyConserving = claims.boolean("energyConserving").value_or(false);
+    claims.finish();
+  }
+  model.cite = reader.texts("cite").value_or(std::vector<std::string>{});
+  model.uses = reader.texts("uses").value_or(std::vector<std::string>{});
+  for (const std::string& use : model.uses)
+    if (!findAttribute(use))
+      reader.problem(*head.find("uses"), fmt::format("unknown attribute '{}'", use), suggestion(use, attributeNames()));
+  reader.finish();
+}
+
+struct Entry {
+  std::string_view name, type;
+  bool ShadingModel::*defines;
+  std::string ShadingModel::*term;
+};
+const Entry kEntries[] = {
+    {"D", "float", &ShadingModel::definesD, &ShadingModel::termD},
+    {"V", "float", &ShadingModel::definesV, &ShadingModel::termV},
+    {"F", "vec3", &ShadingModel::definesF, &ShadingModel::termF},
+    {"diffuse", "vec3", &ShadingModel::definesDiffuse, &ShadingModel::termDiffuse},
+    {"specular", "vec3", &ShadingModel::definesSpecular, nullptr},
+};
+
+void checkNames(const GlslScan& scan, const std::string& file, Diagnostics& problems) {
+  static const std::vector<std::string_view> kOwn = {"main", "Shading", "Parameters", "modelD", "modelSpecular",
+                                                     "modelDiffuse", "modelParameters", "modelHasD"};
+  for (const GlslName& name : scan.names)
+    if (name.name.starts_with("gl_") || name.name.starts_with("glint") ||
+        std::find(kOwn.begin(), kOwn.end(), name.name) != kOwn.end())
+      problems.push_back(error(fmt::format("{}:{}", file, name.line),
+                               fmt::format("defines '{}', which is Glint's", name.name), "choose another name"));
+  const GlslScan library = scanGlsl(shipped::read("shaders/common/shading.glsl").value_or("") + termsGlsl());
+  for (const GlslFunction& own : scan.functions)
+    for (const GlslFunction& theirs : library.functions)
+      if (own.name == theirs.name && own.takes(theirs.parameterTypes))
+        problems.push_back(error(fmt::format("{}:{}", file, own.line),
+                                 fmt::format("defines '{}' again", own.name),
+                                 "Glint's terms have it: call that one, or choose another name"));
+}
+
+void checkBody(const GlslScan& scan, const std::string& file, int headLine, const Json& head, ShadingModel& model,
+               Diagnostics& problems) {
+  for (const GlslFault& fault : scan.faults)
+    problems.push_back(error(fmt::format("{}:{}", file, fault.line), fault.what, fault.hint));
+  checkNames(scan, file, problems);
+  for (const Entry& entry : kEntries) {
+    int near = 0;
+    for (const GlslFunction& function : scan.functions) {
+      if (function.name != entry.name) continue;
+      near = function.line;
+      if (function.returnType == entry.type && function.takes({"Shading", "Parameters"})) {
+        model.*entry.defines = true;
+        break;
+      }
+    }
+    if (near && !(model.*entry.defines))
+      problems.push_back(error(fmt::format("{}:{}", file, near),
+                               fmt::format("'{}' has other types than Glint calls it with", entry.name),
+                               fmt::format("write {} {}(Shading s, Parameters p)", entry.type, entry.name)));
+    const bool named = entry.term && (!(model.*entry.term).empty() || (entry.name == "V" && !model.termG.empty()));
+    if (near && named)
+      problems.push_back(error(fmt::format("{}:{}", file, near),
+                               fmt::format("defines '{}', which \"terms\" of the head names too", entry.name),
+                               "keep one of them"));
+    // A fault in "terms" has been reported there.
+    const bool needed = !model.definesSpecular && entry.term != nullptr && entry.name != "diffuse";
+    const Json* terms = head.find("terms");
+    if (needed && !near && !named && !(terms && terms->find(entry.name)))
+      if (std::none_of(scan.functions.begin(), scan.functions.end(),
+                       [](const GlslFunction& f) { return f.name == "specular"; }))
+        problems.push_back(error(fmt::format("{}:{}", file, headLine), fmt::format("has no {}", entry.name),
+                                 fmt::format("name one in \"terms\" or write {} {}(Shading s, Parameters p)",
+                                             entry.type, entry.name)));
+  }
+  if (!model.definesDiffuse && model.termDiffuse.empty()) model.termDiffuse = "Lambert";
+}
+
+}  // namespace
+
+bool isModelId(const std::string& id) {
+  return !id.empty() && id.size() <= 64 && std::isalnum(static_cast<unsigned char>(id[0])) &&
+         std::all_of(id.begin(), id.end(), [](unsigned char c) {
+           return c < 128 && (std::isalnum(c) || c == '-' || c == '_' || c == '.');
+         });
+}
+
+const ModelParameter* ShadingModel::parameter(std::string_view wanted) const {
+  for (const ModelParameter& p : parameters)
+    if (p.name == wanted) return &p;
+  return nullptr;
+}
+
+std::array<float, 4> ShadingModel::standardSlots() const {
+  std::array<float, 4> slots{};
+  for (const ModelParameter& p : parameters)
+    for (int i = 0; p.slot >= 0 && i < componentCount(p.standard.type); ++i)
+      slots[static_cast<size_t>(p.slot + i)] = p.standard.v[static_cast<size_t>(i)];
+  return slots;
+}
+
+Result<ShadingModel> parseModel(const std::filesystem::path& path, const std::string& text) {
+  const std::string file = path.string();
+  if (text.size() > kLargestModel)
+    return error(file, fmt::format("is {} bytes long", text.size()),
+                 fmt::format("a shading model has at most {}", kLargestModel));
+  if (const size_t zero = text.find('\0'); zero != text.npos)
+    return error(fmt::format("{}:{}", file, 1 + std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')),
+                 "holds a zero byte", "a shading model is a text file");
+  auto front = readFrontMatter(file, text);
+  if (!front) return front.diagnostics();
+  ShadingModel model;
+  model.file = path;
+  model.hash = hashText(text);
+  model.source = std::move(front->body);
+  if (model.source.starts_with("\xEF\xBB\xBF")) model.source.replace(0, 3, "   ");
+  Diagnostics problems;
+  readHead(front->head, file, model, problems);
+  checkBody(scanGlsl(model.source), file, front->head.line, front->head, model, problems);
+  if (!problems.empty()) return problems;
+  return model;
+}
+
+}  // namespace glint

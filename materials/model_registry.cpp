@@ -1,0 +1,151 @@
+#include "materials/model_registry.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "materials/base/files.h"
+#include "materials/base/hash.h"
+#include "shaders/shipped_files.h"
+
+namespace glint {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kShippedFolder = "shaders/models";
+constexpr uintmax_t kLargestModelFile = 1 << 20;
+constexpr size_t kMostFiles = 1000;
+
+// Changes within one tick of the file system's clock keep time and size: a file this young is read again.
+constexpr auto kYoung = std::chrono::seconds(2);
+
+}  // namespace
+
+ModelRegistry::ModelRegistry(std::vector<fs::path> folders) : folders_(std::move(folders)) {
+  const fs::path own = configFolder() / "models";
+  if (std::find(folders_.begin(), folders_.end(), own) == folders_.end()) folders_.push_back(own);
+  refresh();
+}
+
+// The files there are now, in the order in which they may claim an id.
+std::vector<fs::path> ModelRegistry::listFiles(Diagnostics& problems) const {
+  std::vector<fs::path> files;
+  for (const std::string& path : shipped::list(kShippedFolder, ".glsl")) {
+    const fs::path disk = shipped::onDisk(path);
+    files.push_back(disk.empty() ? fs::path(path) : disk);
+  }
+  for (const fs::path& folder : folders_) {
+    std::error_code code;
+    std::vector<fs::path> found;
+    for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+      std::error_code ignored;
+      if (entry->path().extension() == ".glsl" && entry->path().filename().string()[0] != '.' &&
+          entry->is_regular_file(ignored))
+        found.push_back(entry->path());
+    }
+    // The configuration's own folder need not exist.
+    if (code && !(folder == folders_.back() && code == std::errc::no_such_file_or_directory))
+      problems.push_back(error(folder.string(), "cannot be read: " + code.message(), "name a folder of .glsl files"));
+    std::sort(found.begin(), found.end());
+    if (found.size() > kMostFiles) {
+      problems.push_back(error(folder.string(), fmt::format("holds {} models", found.size()),
+                               fmt::format("the first {} are read", kMostFiles)));
+      found.resize(kMostFiles);
+    }
+    for (fs::path& path : found)
+      if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(std::move(path));
+  }
+  return files;
+}
+
+// Reads a file when it may have changed. True when its model or its problems did.
+bool ModelRegistry::readAgain(const fs::path& path, File& file) {
+  std::error_code code;
+  const fs::file_time_type time = fs::last_write_time(path, code);
+  const uintmax_t size = code ? 0 : fs::file_size(path, code);
+  const bool embedded = static_cast<bool>(code) && shipped::read(path.string()).has_value();
+  if (file.read && !file.young && (embedded || (time == file.time && size == file.size))) return false;
+  file.time = time;
+  file.size = size;
+  file.young = !embedded && fs::file_time_type::clock::now() - time < kYoung;
+  Result<std::string> text = embedded ? Result<std::string>(*shipped::read(path.string()))
+                                      : readFile(path, kLargestModelFile);
+  Diagnostics problems;
+  if (!text) {
+    file.hash = 0;
+    problems = text.diagnostics();
+  } else {
+    const uint64_t hash = hashText(*text);
+    if (file.read && file.hash == hash) return false;
+    file.hash = hash;
+    auto model = parseModel(path, *text);
+    if (model) {
+      file.model = std::make_shared<const ShadingModel>(std::move(*model));
+      file.read = true;
+      file.problems.clear();
+      return true;
+    }
+    problems = model.diagnostics();
+  }
+  const bool changed = !file.read || problems != file.problems;
+  file.read = true;
+  file.problems = std::move(problems);
+  return changed;
+}
+
+bool ModelRegistry::refresh() {
+  Diagnostics problems;
+  const std::vector<fs::path> order = listFiles(problems);
+  bool changed = false;
+  for (auto file = files_.begin(); file != files_.end();) {
+    if (std::find(order.begin(), order.end(), file->first) == order.end()) {
+      file = files_.erase(file);
+      changed = true;
+    } else {
+      ++file;
+    }
+  }
+  for (const fs::path& path : order) changed |= readAgain(path, files_[path]);
+
+  std::map<std::string, ModelPtr, std::less<>> models;
+  for (const fs::path& path : order) {
+    const File& file = files_[path];
+    problems.insert(problems.end(), file.problems.begin(), file.problems.end());
+    if (!file.model) continue;
+    const auto [found, fresh] = models.emplace(file.model->id, file.model);
+    if (!fresh)
+      problems.push_back(error(path.string(),
+                               fmt::format("its id '{}' is taken by {}", file.model->id, found->second->file.string()),
+                               "give it an id of its own"));
+  }
+  changed |= problems != problems_;
+  models_ = std::move(models);
+  problems_ = std::move(problems);
+  return changed;
+}
+
+ModelPtr ModelRegistry::find(std::string_view id) const {
+  const auto found = models_.find(id);
+  return found == models_.end() ? nullptr : found->second;
+}
+
+Result<ModelPtr> ModelRegistry::get(std::string_view id) const {
+  if (ModelPtr model = find(id)) return model;
+  // A model may be unknown because its file is wrong: say so instead of offering another.
+  for (const auto& [path, file] : files_)
+    if (!file.model && path.stem() == id && !file.problems.empty()) return file.problems;
+  return error("model '" + std::string(id) + "'", "unknown shading model", suggestion(std::string(id), ids()));
+}
+
+std::vector<ModelPtr> ModelRegistry::all() const {
+  std::vector<ModelPtr> result;
+  for (const auto& [id, model] : models_) result.push_back(model);
+  return result;
+}
+
+std::vector<std::string> ModelRegistry::ids() const {
+  std::vector<std::string> result;
+  for (const auto& [id, model] : models_) result.push_back(id);
+  return result;
+}
+
+}  // namespace glint

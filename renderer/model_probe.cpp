@@ -1,0 +1,166 @@
+#include "renderer/model_probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/shipped_files.h"
+
+namespace glint {
+namespace {
+
+constexpr int kGroup = 64;
+constexpr size_t kBatch = size_t{1} << 18;
+
+// As the shader's `Point`, std430.
+struct GpuPoint {
+  glm::vec4 cosines, more, F0, diffuse, base, light, view;
+};
+static_assert(sizeof(GpuPoint) == 7 * 16);
+
+constexpr const char* kPointGlsl = R"(
+struct Point { vec4 cosines, more, F0, diffuse, base, light, view; };
+layout(std430, binding = 0) readonly buffer Points { Point points[]; };
+layout(std430, binding = 1) writeonly buffer Values { vec4 values[]; };
+uniform int pointCount;
+uniform vec4 slots;
+
+Shading shadingAt(Point p) {
+  Shading s;
+  setDirections(s, vec3(0.0, 0.0, 1.0), p.view.xyz, p.light.xyz);
+  s.T = vec3(1.0, 0.0, 0.0);
+  s.B = vec3(0.0, 1.0, 0.0);
+  if (p.view.w == 0.0) {
+    s.NoL = p.cosines.x;
+    s.NoV = p.cosines.y;
+    s.NoH = p.cosines.z;
+    s.VoH = p.cosines.w;
+    s.LoV = p.more.x;
+    s.sinH2 = p.more.y;
+  }
+  s.roughness = p.more.z;
+  s.alpha = alphaFromRoughness(s.roughness);
+  s.F0 = p.F0.xyz;
+  s.diffuseColor = p.diffuse.xyz;
+  s.baseColor = p.base.xyz;
+  s.metallic = p.F0.w;
+  s.specular = p.diffuse.w;
+  s.analyticLight = p.more.w != 0.0;
+  return s;
+}
+)";
+
+GpuPoint pack(const ProbePoint& p) {
+  return {{p.NoL, p.NoV, p.NoH, p.VoH},
+          {p.LoV, p.sinH2, p.roughness, p.analyticLight ? 1.f : 0.f},
+          {p.F0, p.metallic},
+          {p.diffuseColor, p.specular},
+          {p.baseColor, 0.f},
+          {p.light, 0.f},
+          {p.view, p.fromDirections ? 1.f : 0.f}};
+}
+
+}  // namespace
+
+ProbePoint ProbePoint::at(glm::dvec3 light, glm::dvec3 view) {
+  const glm::dvec3 sum = light + view;
+  const glm::dvec3 half = glm::dot(sum, sum) > 1e-24 ? glm::normalize(sum) : glm::dvec3(0, 0, 1);
+  ProbePoint p;
+  p.light = light;
+  p.view = view;
+  p.NoL = static_cast<float>(light.z);
+  p.NoV = static_cast<float>(view.z);
+  p.NoH = static_cast<float>(half.z);
+  p.VoH = static_cast<float>(std::max(glm::dot(view, half), 0.0));
+  p.LoV = static_cast<float>(glm::dot(light, view));
+  p.sinH2 = static_cast<float>(half.x * half.x + half.y * half.y);
+  return p;
+}
+
+ProbePoint ProbePoint::cosines(double NoL, double NoV, double NoH, double VoH) {
+  const double LoV = 2 * VoH * VoH - 1;
+  const double sinL = std::sqrt(std::max(0.0, 1 - NoL * NoL)), sinV = std::sqrt(std::max(0.0, 1 - NoV * NoV));
+  const double across = sinL * sinV > 0 ? std::clamp((LoV - NoL * NoV) / (sinL * sinV), -1.0, 1.0) : 1.0;
+  ProbePoint p;
+  p.view = glm::dvec3(sinV, 0, NoV);
+  p.light = glm::dvec3(sinL * across, sinL * std::sqrt(1 - across * across), NoL);
+  p.NoL = static_cast<float>(NoL);
+  p.NoV = static_cast<float>(NoV);
+  p.NoH = static_cast<float>(NoH);
+  p.VoH = static_cast<float>(VoH);
+  p.LoV = static_cast<float>(LoV);
+  p.sinH2 = static_cast<float>((1 - NoH) * (1 + NoH));
+  return p;
+}
+
+Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string& glsl,
+                                     const std::vector<std::string>& outputs) {
+  const auto shading = shipped::read("shaders/common/shading.glsl");
+  if (!shading) return error("shaders/common/shading.glsl", "is missing");
+  std::string source = "#version 450 core\nlayout(local_size_x = " + std::to_string(kGroup) + ") in;\n" + *shading +
+                       glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
+                       "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
+                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(slots);\n" : "");
+  for (size_t k = 0; k < outputs.size(); ++k)
+    source += fmt::format("  values[i * {}u + {}u] = {};\n", outputs.size(), k, outputs[k]);
+  source += "}\n";
+  auto program = gl::buildProgram(name, {{GL_COMPUTE_SHADER, source}});
+  if (!program) return program.diagnostics();
+  ModelProbe probe;
+  probe.program_ = std::move(*program);
+  probe.outputs_ = static_cast<int>(outputs.size());
+  return probe;
+}
+
+Result<ModelProbe> ModelProbe::ofTerms(std::span<const Term> terms) {
+  std::vector<std::string> outputs;
+  for (const Term& term : terms) {
+    const bool colour = term.kind == TermKind::F || term.kind == TermKind::Diffuse;
+    outputs.push_back("vec4(" + term.function() + (colour ? "(s), 0.0)" : "(s), 0.0, 0.0, 0.0)"));
+  }
+  return build("terms", termsGlsl(), outputs);
+}
+
+Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {
+  auto probe = build(model.file.string(), modelGlsl(model, kModelSourceIndex),
+                     {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), 0.0)"});
+  if (!probe) return modelErrors(model, probe.diagnostics()[0].what);
+  probe->model_ = model;
+  for (const ModelParameter& p : model.parameters) probe->set(p.name, p.standard);
+  return probe;
+}
+
+void ModelProbe::set(const std::string& name, const Value& value) {
+  int constant = 0;
+  for (ModelParameter& p : model_.parameters) {
+    if (p.name == name) {
+      p.standard.v = value.v;
+      if (p.slot < 0) program_.set4(fmt::format("glintModelConstants[{}]", constant).c_str(), value.v.data());
+    }
+    constant += p.slot < 0;
+  }
+  program_.set4("slots", model_.standardSlots().data());
+}
+
+std::vector<glm::vec4> ModelProbe::evaluate(std::span<const ProbePoint> points) const {
+  std::vector<glm::vec4> values;
+  values.reserve(points.size() * static_cast<size_t>(outputs_));
+  for (size_t begin = 0; begin < points.size(); begin += kBatch) {
+    const auto batch = points.subspan(begin, std::min(kBatch, points.size() - begin));
+    std::vector<GpuPoint> packed(batch.size());
+    std::transform(batch.begin(), batch.end(), packed.begin(), pack);
+    std::vector<glm::vec4> part(batch.size() * static_cast<size_t>(outputs_));
+    const gl::Buffer in = gl::createBuffer(std::as_bytes(std::span(packed)));
+    const gl::Buffer out = gl::createBuffer(std::as_bytes(std::span(part)));
+    program_.use();
+    program_.set("pointCount", static_cast<int>(batch.size()));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out.id());
+    glDispatchCompute(static_cast<GLuint>((batch.size() + kGroup - 1) / kGroup), 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(part.size() * sizeof(glm::vec4)), part.data());
+    values.insert(values.end(), part.begin(), part.end());
+  }
+  return values;
+}
+
+}  // namespace glint

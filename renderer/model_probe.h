@@ -1,0 +1,58 @@
+// Evaluates terms and whole models at chosen points through the GLSL that draws, on the device: for numbers
+// (tests, `eval`), laws (model_laws.h) and plots. Needs a current context.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "materials/model.h"
+#include "materials/terms.h"
+#include "renderer/gl/objects.h"
+
+namespace glint {
+
+// What a `Shading` is made of; the normal is +Z.
+struct ProbePoint {
+  glm::vec3 light{0, 0, 1}, view{0, 0, 1};   // unit
+  float NoL = 1, NoV = 1, NoH = 1, VoH = 1, LoV = 1, sinH2 = 0;
+  float roughness = 0.5f;
+  glm::vec3 F0{0.04f}, diffuseColor{0.8f}, baseColor{0.8f};
+  float metallic = 0, specular = 0.5f;
+  bool analyticLight = true;
+  // The cosines come from `light` and `view` as in a picture (setDirections of shading.glsl) instead of from
+  // the members above.
+  bool fromDirections = false;
+
+  // All cosines from two unit vectors, in double precision.
+  static ProbePoint at(glm::dvec3 light, glm::dvec3 view);
+  // As given; `light` and `view` are then a pair of directions that has NoL, NoV and VoH.
+  static ProbePoint cosines(double NoL, double NoV, double NoH, double VoH);
+};
+
+class ModelProbe {
+ public:
+  // One output a term: (value, 0, 0, 0) or (r, g, b, 0). Errors: GLSL that does not compile.
+  static Result<ModelProbe> ofTerms(std::span<const Term>);
+  // Two outputs: (specular f, D) and (diffuse f, 0), both without cosine. Errors: at the plugin's own lines.
+  static Result<ModelProbe> ofModel(const ShadingModel&);
+
+  // Of every point its outputs in order.
+  std::vector<glm::vec4> evaluate(std::span<const ProbePoint>) const;
+  int outputs() const { return outputs_; }
+
+  // A parameter of the model, which has its default until then.
+  void set(const std::string& parameter, const Value&);
+
+ private:
+  ModelProbe() = default;
+  static Result<ModelProbe> build(const std::string& name, const std::string& glsl,
+                                  const std::vector<std::string>& outputs);
+  gl::Program program_;
+  int outputs_ = 0;
+  ShadingModel model_;
+};
+
+}  // namespace glint
