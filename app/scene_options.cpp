@@ -116,9 +116,6 @@ void CameraChoice::apply(Camera& camera) const {
   if (target) camera.target = *target;
   if (fovY) camera.fovY = *fovY;
   if (orthoHeight) camera.orthoHeight = *orthoHeight;
-  // Looking straight up or down needs another up.
-  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
-  if (std::abs(glm::dot(forward, camera.up)) > 0.9999f) camera.up = {0, 0, -1};
   if (any()) {
     const float distance = glm::length(camera.target - camera.eye);
     camera.nearPlane = std::min(camera.nearPlane, distance * 0.01f);

@@ -1,0 +1,90 @@
+#include "app/comparison_report.h"
+
+#include "renderer/image_codecs.h"
+
+namespace glint {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '<') result += "&lt;";
+    else if (c == '>') result += "&gt;";
+    else if (c == '&') result += "&amp;";
+    else if (c == '"') result += "&quot;";
+    else result += c;
+  }
+  return result;
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t group = 0;
+    for (size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (size_t k = 0; k < 4; ++k) result += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+  }
+  return result;
+}
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: dark; }
+body { background: #1b1c1f; color: #ecedf0; font: 15px/1.5 Inter, system-ui, sans-serif; margin: 40px; }
+h1 { font-size: 22px; font-weight: 600; } h2 { font-size: 16px; font-weight: 600; margin-top: 40px; }
+.grid { display: grid; gap: 10px; align-items: center; width: max-content; }
+.grid .column { text-align: center; font-weight: 600; } .grid .row { text-align: right; font-weight: 600; padding-right: 14px; }
+.grid small, .axis, figcaption, dt { color: #9699a1; font-weight: 400; }
+figure { margin: 0; position: relative; } img { display: block; border-radius: 2px; }
+figure img + img { position: absolute; top: 0; opacity: 0; } figure:hover img + img { opacity: 1; }
+figcaption { text-align: center; font-size: 13px; }
+table { border-collapse: collapse; } td, th { padding: 3px 18px 3px 0; text-align: left; font-variant-numeric: tabular-nums; }
+th { color: #9699a1; font-weight: 400; } dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 18px; } dd { margin: 0; overflow-wrap: anywhere; }
+)";
+
+}  // namespace
+
+Result<std::string> comparisonReport(const std::string& title, std::span<const SheetRow> rows, const SheetText& text,
+                                     const std::string& against, std::span<const ReportNumbers> numbers,
+                                     const std::map<std::string, std::string>& notes) {
+  Diagnostics problems;
+  const auto image = [&](const Image8& pixels) -> std::string {
+    const auto png = codec::encodePng(pixels, {}, "--report");
+    if (!png) {
+      problems.insert(problems.end(), png.diagnostics().begin(), png.diagnostics().end());
+      return "";
+    }
+    return fmt::format("<img width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", pixels.width, pixels.height, base64(*png));
+  };
+  std::string html = fmt::format("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>{0}</title>\n<style>{1}</style>\n<h1>{0}</h1>\n",
+                                 escaped(title), kStyle);
+  if (!text.axis.empty()) html += fmt::format("<p class=\"axis\">{}</p>\n", escaped(text.axis));
+  html += fmt::format("<div class=\"grid\" style=\"grid-template-columns: auto repeat({}, max-content)\">\n<div></div>\n", text.columns.size());
+  for (const std::string& column : text.columns) html += fmt::format("<div class=\"column\">{}</div>\n", escaped(column));
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].heat) continue;
+    const SheetRow* heat = i + 1 < rows.size() && rows[i + 1].heat ? &rows[i + 1] : nullptr;
+    html += fmt::format("<div class=\"row\">{}<br><small>{}</small></div>\n", escaped(rows[i].title), escaped(rows[i].subtitle));
+    for (size_t column = 0; column < rows[i].cells.size(); ++column) {
+      html += "<figure>" + image(rows[i].cells[column]);
+      if (heat && !heat->cells[column].empty()) html += image(heat->cells[column]);
+      if (heat && column < heat->captions.size()) html += fmt::format("<figcaption>{}</figcaption>", escaped(heat->captions[column]));
+      html += "</figure>\n";
+    }
+  }
+  html += "</div>\n";
+  if (!numbers.empty()) {
+    html += fmt::format("<h2>Difference to {}</h2>\n<p class=\"axis\">Point at a cell to see where it differs.</p>\n<table><tr><th>row</th><th>column</th>"
+                        "<th>FLIP</th><th>RMSE</th><th>largest</th></tr>\n", escaped(against));
+    for (const ReportNumbers& n : numbers)
+      html += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td></tr>\n", escaped(n.row), escaped(n.column), n.flip, n.rmse, n.largest);
+    html += "</table>\n";
+  }
+  html += "<h2>Made by</h2>\n<dl>\n";
+  for (const auto& [key, value] : notes) html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
+  html += "</dl>\n</html>\n";
+  if (!problems.empty()) return problems;
+  return html;
+}
+
+}  // namespace glint
