@@ -8,6 +8,7 @@
 
 layout(location = 0) flat in ivec2 inLights;
 layout(location = 0) out vec4 outColor;
+uniform vec4 standardParameters;  // where no material varies them
 
 struct DirectionalLight {
   vec4 direction;  // towards the light
@@ -60,7 +61,7 @@ void main() {
 #ifdef READS_PARAMETERS
   Parameters p = modelParameters(texelFetch(gParameters, pixel, 0));
 #else
-  Parameters p = modelParameters(vec4(0.0));
+  Parameters p = modelParameters(standardParameters);
 #endif
 
   vec3 radiance = vec3(0.0);
