@@ -51,7 +51,8 @@ Framebuffer createFramebuffer(std::span<const GLuint> colorTextures, GLuint dept
   }
   if (depthStencilTexture) glNamedFramebufferTexture(id, GL_DEPTH_STENCIL_ATTACHMENT, depthStencilTexture, 0);
   glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(buffers.size()), buffers.data());
-  const GLenum status = glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
+  // Without textures yet: the caller attaches layers one after the other.
+  const GLenum status = colorTextures.empty() ? GL_FRAMEBUFFER_COMPLETE : glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
   GLINT_CHECK(status == GL_FRAMEBUFFER_COMPLETE, "framebuffer status {:#x}", status);
   return Framebuffer(id);
 }
