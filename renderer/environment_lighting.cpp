@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLobeWidth = 1024;
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 1;
+constexpr uint64_t kCacheVersion = 2;
 
 }  // namespace
 

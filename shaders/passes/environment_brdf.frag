@@ -12,11 +12,13 @@ uniform vec4 standardParameters;
 const int kPsi = 64, kPhi = 48, kDiffuse = 16;
 
 void main() {
-  float NoV = max(gl_FragCoord.x / size.x, 1e-3);
+  // The first and last texels stand on 0 and 1, so that the ends of the table are exact.
+  vec2 ends = (gl_FragCoord.xy - 0.5) / (size - 1.0);
+  float NoV = max(ends.x, 1e-3);
   vec3 N = vec3(0.0, 0.0, 1.0);
   vec3 V = vec3(sqrt(max(1.0 - NoV * NoV, 0.0)), 0.0, NoV);
   Shading s;
-  s.roughness = gl_FragCoord.y / size.y;
+  s.roughness = ends.y;
   s.alpha = alphaFromRoughness(s.roughness);
   s.diffuseColor = s.baseColor = vec3(1.0);
   s.metallic = 1.0;

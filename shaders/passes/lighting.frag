@@ -89,7 +89,8 @@ void main() {
   // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables. x and y: scale on F0 and bias of the
   // specular part, z: albedo of the diffuse part over Lambert's.
   float NoV = clamp(dot(N, V), 0.0, 1.0);
-  vec3 table = texture(environmentBrdf, vec2(NoV, surface.roughness)).xyz;
+  const float kTableSize = 64.0;  // EnvironmentLighting::kBrdfSize: its outermost texels stand on 0 and 1
+  vec3 table = textureLod(environmentBrdf, (vec2(NoV, surface.roughness) * (kTableSize - 1.0) + 0.5) / kTableSize, 0.0).xyz;
   vec3 R = 2.0 * dot(N, V) * N - V;
   float level = view.environmentLevels * surface.roughness * (1.7 - 0.7 * surface.roughness);
   vec3 specularLight = textureLod(prefilteredEnvironment, environmentFromWorld(R), level).rgb;
