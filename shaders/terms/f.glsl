@@ -12,6 +12,7 @@ float schlickWeight(float x) {
 // F0 at w = 0, white at w = 1.
 vec3 fresnelToWhite(vec3 F0, float w) { return F0 * (1.0 - w) + w; }
 
+// The same at every angle.
 vec3 F_None(Shading s) { return s.F0; }
 
 // Schlick 1994, eq. 15.
@@ -29,7 +30,7 @@ vec3 F_SphericalGaussian(Shading s) {
 vec3 F_CookTorrance(Shading s) {
   float c = s.VoH;
   vec3 q = sqrt(clamp(s.F0, 0.0, 1.0));
-  vec3 u = max(1.0 - q, 1e-7);
+  vec3 u = max(1.0 - q, 1e-12);
   vec3 sum = sqrt(4.0 * q + u * u * c * c) + u * c;
   vec3 difference = 4.0 * q / max(sum, 1e-12);
   vec3 a = difference / max(sum, 1e-12);

@@ -26,6 +26,8 @@ float halfVisibilityBeckmann(float NoX, float alpha) {
   float c = NoX * t;
   return c < 1.6 ? t * (1.7675 + 1.0905 * c) / (1.0 + c * (2.276 + 2.577 * c)) : 0.5 / NoX;
 }
+
+// Smith 1967 for Beckmann: Walter et al. 2007, with light and view independent.
 float V_SmithBeckmann(Shading s) {
   return halfVisibilityBeckmann(s.NoL, s.alpha) * halfVisibilityBeckmann(s.NoV, s.alpha);
 }

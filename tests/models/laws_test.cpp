@@ -1,0 +1,137 @@
+// The laws that every model must keep and those that it claims: no model is named here. The checks themselves are
+// tested on plugins with planted faults.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "materials/model_registry.h"
+#include "renderer/gl/context.h"
+#include "renderer/model_laws.h"
+
+namespace glint {
+namespace {
+
+class Laws : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto created = gl::Context::create({.backend = gl::Backend::Egl});
+    ASSERT_TRUE(created) << created.diagnostics()[0].text();
+    context_ = std::move(*created);
+  }
+
+  static std::string text(const Diagnostics& problems) {
+    std::string all;
+    for (const Diagnostic& p : problems) all += p.text() + "\n";
+    return all;
+  }
+
+  // What the checks say of a model with this head and body.
+  static std::string verdict(const std::string& terms, const std::string& body, const std::string& claims = "true") {
+    const auto model = parseModel("planted.glsl", "/*glint {\"id\": \"planted\", \"terms\": " + terms +
+                                                      ", \"claims\": {\"reciprocal\": " + claims +
+                                                      ", \"energyConserving\": " + claims + "}} */\n" + body);
+    if (!model) return "head: " + text(model.diagnostics());
+    return text(checkLaws(*model));
+  }
+  std::unique_ptr<gl::Context> context_;
+};
+
+TEST_F(Laws, EveryModelKeepsThoseItClaims) {
+  const ModelRegistry registry;
+  ASSERT_TRUE(registry.problems().empty()) << text(registry.problems());
+  ASSERT_GE(registry.all().size(), 5u);
+  for (const ModelPtr& model : registry.all()) EXPECT_EQ(text(checkLaws(*model)), "") << model->id;
+}
+
+const char* const kVF = R"({"V": "SmithGGX", "F": "Schlick"})";
+const char* const kDF = R"({"D": "GGX", "F": "Schlick"})";
+const char* const kDVF = R"({"D": "GGX", "V": "SmithGGX", "F": "Schlick"})";
+
+TEST_F(Laws, SoundPlugins) {
+  EXPECT_EQ(verdict(kDVF, ""), "");
+  EXPECT_EQ(verdict("{}", "vec3 specular(Shading s, Parameters p) { return s.F0 * (1.0 / kPi); }"), "")
+      << "a model of one function, without a D";
+  EXPECT_EQ(verdict(kVF, "float D(Shading s, Parameters p) { return D_GGX(s); }"), "");
+}
+
+TEST_F(Laws, WrongFactorInD) {
+  EXPECT_THAT(verdict(kVF, "float D(Shading s, Parameters p) { return D_GGX(s) * kPi; }"),
+              testing::AllOf(testing::HasSubstr("D integrates to 3.14"), testing::HasSubstr("does not conserve energy")));
+  EXPECT_THAT(verdict(kVF, "float D(Shading s, Parameters p) { return D_GGX(s) * 0.98; }"),
+              testing::HasSubstr("D integrates to 0.98"));
+}
+
+TEST_F(Laws, VisibilityWithoutItsQuarter) {
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return 4.0 * V_SmithGGX(s); }"),
+              testing::HasSubstr("does not conserve energy"));
+}
+
+TEST_F(Laws, WrongSign) {
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) - 0.3; }"),
+              testing::HasSubstr("is negative"));
+}
+
+// The second summand of V in the thesis' section 4.1.2 repeats the first: it is not reciprocal.
+TEST_F(Laws, OneSidedVisibility) {
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) {\n"
+                           "  return 0.25 / (s.NoL * (s.NoV * (1.0 - s.alpha) + s.alpha)); }"),
+              testing::HasSubstr("is not reciprocal"));
+}
+
+TEST_F(Laws, DivisionByZero) {
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return 0.25 / (1.0 - s.NoV); }"),
+              testing::HasSubstr("is not finite"));
+}
+
+TEST_F(Laws, DiffusePartCounts) {
+  EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * 0.5; }"),
+              testing::HasSubstr("the diffuse part reflects 1.57"));
+}
+
+TEST_F(Laws, OnlyClaimsBind) {
+  EXPECT_EQ(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * 0.5 * s.NoV; }", "false"), "");
+}
+
+TEST_F(Laws, ParametersAtTheirEnds) {
+  const auto model = parseModel("ends.glsl", R"(/*glint {"id": "ends", "terms": {"D": "GGX", "F": "Schlick"},
+    "parameters": [
+      {"name": "a", "type": "color", "default": [0, 0, 0]}, {"name": "b", "type": "vec2", "default": 0},
+      {"name": "gain", "type": "int", "default": 1, "min": 1, "max": 3}],
+    "claims": {"energyConserving": true}} */
+    float V(Shading s, Parameters p) { return V_SmithGGX(s) * float(p.gain); })");
+  ASSERT_TRUE(model) << text(model.diagnostics());
+  EXPECT_EQ(model->parameter("b")->slot, -1) << "the four are taken";
+  EXPECT_EQ(model->parameter("gain")->slot, 3);
+  EXPECT_THAT(text(checkLaws(*model)), testing::HasSubstr("(gain 3)"));
+}
+
+// A model's error is at its own line, whichever part of the program it came from.
+TEST_F(Laws, CompileErrorsAreAtThePluginsLine) {
+  const auto model = parseModel("broken.glsl", "/*glint\n{\"id\": \"broken\",\n \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}}\n*/\n"
+                                               "float D(Shading s, Parameters p) {\n  return s.nonsense;\n}\n");
+  ASSERT_TRUE(model) << text(model.diagnostics());
+  const Diagnostics problems = checkLaws(*model);
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(problems[0].place, "broken.glsl:6") << text(problems);
+  EXPECT_THAT(problems[0].what, testing::HasSubstr("nonsense"));
+}
+
+// Names that a plugin may well use for its own helpers do not meet what is written around it, and its macros
+// end with it.
+TEST_F(Laws, PluginsNamesDoNotCollide) {
+  EXPECT_EQ(verdict(kDF, R"(
+#define NdotL s.NoL
+#define values 3.0
+const float PI = 3.14159265;
+struct Frame { vec3 x, y; };
+float pow5(float x) { return x * x * x * x * x; }
+float sqr(float x) { return x * x; }
+float V_mine(Shading s, float x);
+float V(Shading s, float x, Parameters p) { return x; }
+float G1(float x, float k) { return x / (x * (1.0 - k) + k); }
+float V(Shading s, Parameters p) { return V_mine(s, values) * V(s, 1.0, p); }
+float V_mine(Shading s, float x) { return G1(NdotL, 0.5) * G1(s.NoV, 0.5) / (4.0 * NdotL * s.NoV) * x / 3.0; }
+)"), "");
+}
+
+}  // namespace
+}  // namespace glint
