@@ -40,12 +40,7 @@ void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vec
   }
 }
 
-}  // namespace
-
-LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
-  // Small tiles pay when there are many lights to keep apart (measured on software GL: 64 pixels wins for 128
-  // lights, 32 for 1024).
-  const int side = lights.size() > 256 ? 32 : 64;
+LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
   const int columns = (rectangle.z + side - 1) / side, rows = (rectangle.w + side - 1) / side;
   const size_t words = (lights.size() + 63) / 64;
   std::vector<uint64_t> masks(static_cast<size_t>(columns * rows) * words);
@@ -88,6 +83,17 @@ LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<c
                               static_cast<int32_t>(result.list.size()) - first});
     }
   return result;
+}
+
+}  // namespace
+
+LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
+  // Small tiles pay when there are many lights to keep apart (measured on software GL: 64 pixels wins for 128
+  // lights, 32 for 1024). Larger ones bound the memory where most lights reach everything.
+  for (int side = lights.size() > 256 ? 32 : 64;; side *= 2) {
+    LightTiles tiles = tilesOf(side, clusters, lights, rectangle);
+    if (tiles.list.size() <= kLongestLightList || side >= std::max(rectangle.z, rectangle.w)) return tiles;
+  }
 }
 
 }  // namespace glint

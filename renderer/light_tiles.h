@@ -31,7 +31,8 @@ struct LightTiles {
 };
 
 // `rectangle` is x, y, width, height in pixels. Only LightKind::Point lights are read; indices count those alone.
-// The list is bounded by tiles x lights.
+// The list stays below kLongestLightList entries, or below the number of lights where that is larger.
+inline constexpr size_t kLongestLightList = 128 * 1024;   // 4 MiB on the device
 LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> pointLights, glm::ivec4 rectangle);
 
 }  // namespace glint

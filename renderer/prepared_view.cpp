@@ -145,7 +145,8 @@ float longestAxis(const glm::mat4& m) {
 
 }  // namespace
 
-PreparedView prepareView(const View& view, DeviceMeshes& meshes, float exposureScale, int environmentLevels, glm::vec2 jitter) {
+PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vector<int>& groupOfMaterial, size_t groups,
+                         float exposureScale, int environmentLevels, glm::vec2 jitter) {
   const Scene& scene = *view.scene;
   PreparedView prepared;
   prepared.scene = view.scene;
@@ -195,12 +196,15 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, float exposureS
   }
   block.directionalCount = static_cast<int32_t>(prepared.directional.size());
 
-  std::vector<VisibleCluster> visible;
+  std::vector<std::vector<VisibleCluster>> visible(groups);
+  std::vector<glm::ivec4> covered(groups, glm::ivec4(0));
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const glm::ivec4 whole = projection.pixels(spheres[i]);
     if (whole.z <= whole.x) continue;
     const Instance& instance = scene.instances[i];
     const SurfaceMaterial& material = scene.materials[static_cast<size_t>(instance.material)];
+    if (groupOfMaterial[static_cast<size_t>(instance.material)] < 0) continue;
+    const size_t group = static_cast<size_t>(groupOfMaterial[static_cast<size_t>(instance.material)]);
     const DeviceMesh& mesh = meshes.get(instance.mesh);
     PreparedInstance out;
     out.mesh = &mesh;
@@ -236,15 +240,23 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, float exposureS
         out.offsets.push_back(reinterpret_cast<const void*>(first));
       }
       prepared.triangles += static_cast<int>(cluster.indexCount / 3);
-      if (!points.empty()) visible.push_back(v);
+      if (!points.empty()) visible[group].push_back(v);
     }
-    if (!out.counts.empty()) prepared.instances.push_back(std::move(out));
+    if (out.counts.empty()) continue;
+    glm::ivec4& cover = covered[group];
+    cover = cover.z <= cover.x ? whole
+                               : glm::ivec4(std::min(cover.x, whole.x), std::min(cover.y, whole.y),
+                                            std::max(cover.z, whole.z), std::max(cover.w, whole.w));
+    prepared.instances.push_back(std::move(out));
   }
-  if (points.empty()) {
-    const glm::ivec4 r = view.rectangle;
-    prepared.tiles.tiles.push_back({r.x, r.y, r.x + r.z, r.y + r.w, 0, 0});
-  } else {
-    prepared.tiles = buildLightTiles(visible, points, view.rectangle);
+  for (size_t g = 0; g < groups; ++g) {
+    const glm::ivec4 r = covered[g];
+    if (!points.empty())
+      prepared.tiles.push_back(buildLightTiles(visible[g], points, view.rectangle));
+    else if (r.z > r.x)
+      prepared.tiles.push_back({{{r.x, r.y, r.z, r.w, 0, 0}}, {}});
+    else
+      prepared.tiles.emplace_back();
   }
   return prepared;
 }

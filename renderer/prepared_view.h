@@ -49,12 +49,16 @@ struct PreparedView {
   std::vector<PreparedInstance> instances;
   std::vector<DirectionalBlock> directional;
   std::vector<PointBlock> points;
-  LightTiles tiles;                // empty lists when there are no point lights: one tile, the rectangle
+  // By light group: where its surfaces may be, with the point lights that reach them. Without point lights one
+  // rectangle each.
+  std::vector<LightTiles> tiles;
   int triangles = 0;
   bool tooManyDirectional = false;
 };
 
 // `jitter` moves the samples by a fraction of a pixel (-0.5 .. 0.5).
-PreparedView prepareView(const View&, DeviceMeshes&, float exposureScale, int environmentLevels, glm::vec2 jitter);
+// `groupOfMaterial` names the light group of each of the scene's materials, 0 .. groups - 1 or -1 for not drawn.
+PreparedView prepareView(const View&, DeviceMeshes&, const std::vector<int>& groupOfMaterial, size_t groups,
+                         float exposureScale, int environmentLevels, glm::vec2 jitter);
 
 }  // namespace glint

@@ -74,6 +74,8 @@ class FrameBuffer {
 // Pixels lit by one model with one set of constants: one stencil value.
 struct LightGroup {
   ModelSetting setting;
+  size_t tileLights = 0, tiles = 0;     // offsets in the frame buffer
+  size_t tileLightCount = 0, tileCount = 0;
   bool broken = false;                  // no version of the plugin ever compiled
   uint64_t key = 0;
 };
@@ -84,7 +86,7 @@ struct ReadyView {
   std::vector<LightGroup> groups;
   std::vector<int> groupOfMaterial;     // -1: too many groups
   std::vector<size_t> materialBlocks;   // offsets in the frame buffer
-  size_t viewBlock = 0, directional = 0, points = 0, list = 0, tiles = 0;
+  size_t viewBlock = 0, directional = 0;
 };
 
 }  // namespace
@@ -142,20 +144,28 @@ struct Renderer::State {
     }
     for (const View& view : views) {
       ReadyView r;
-      r.view = prepareView(view, meshes, std::exp2(settings.exposure), EnvironmentLighting::kLevels - 1, jitter);
-      if (r.view.tooManyDirectional)
-        problems.push_back(warning("lights", fmt::format("more than {} directional lights", kMostDirectionalLights), "the others are not drawn"));
       for (const SurfaceMaterial& material : view.scene->materials) {
         r.groupOfMaterial.push_back(groupOf(material, r.groups));
         r.materialBlocks.push_back(frame.append(material.block));
       }
+      r.view = prepareView(view, meshes, r.groupOfMaterial, r.groups.size(), std::exp2(settings.exposure),
+                           EnvironmentLighting::kLevels - 1, jitter);
+      if (r.view.tooManyDirectional)
+        problems.push_back(warning("lights", fmt::format("more than {} directional lights", kMostDirectionalLights), "the others are not drawn"));
       r.viewBlock = frame.append(std::as_bytes(std::span(&r.view.block, 1)));
       std::vector<DirectionalBlock> directional = r.view.directional;
       directional.resize(kMostDirectionalLights);
       r.directional = frame.append(std::as_bytes(std::span(directional)));
-      r.points = frame.append(std::as_bytes(std::span(r.view.points)));
-      r.list = frame.append(std::as_bytes(std::span(r.view.tiles.list)));
-      r.tiles = frame.append(std::as_bytes(std::span(r.view.tiles.tiles)));
+      for (size_t g = 0; g < r.groups.size(); ++g) {
+        const LightTiles& tiles = r.view.tiles[g];
+        std::vector<PointBlock> lights;
+        lights.reserve(tiles.list.size());
+        for (uint32_t light : tiles.list) lights.push_back(r.view.points[light]);
+        r.groups[g].tileLights = frame.append(std::as_bytes(std::span(lights)));
+        r.groups[g].tileLightCount = lights.size();
+        r.groups[g].tiles = frame.append(std::as_bytes(std::span(tiles.tiles)));
+        r.groups[g].tileCount = tiles.tiles.size();
+      }
       statistics.triangles += r.view.triangles;
       statistics.lightGroups += static_cast<int>(r.groups.size());
       statistics.lights += static_cast<int>(r.view.directional.size() + r.view.points.size());
@@ -285,11 +295,11 @@ struct Renderer::State {
     glBindVertexArray(tileArray.id());
   }
 
-  void drawRectangles(const gl::Program& program, const ReadyView& r) {
+  void drawRectangles(const gl::Program& program, const LightGroup& group) {
     program.set2("targetSize", static_cast<float>(targets.width()), static_cast<float>(targets.height()));
     program.use();
-    glVertexArrayVertexBuffer(tileArray.id(), 0, frame.id(), static_cast<GLintptr>(r.tiles), sizeof(Tile));
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(r.view.tiles.tiles.size()));
+    glVertexArrayVertexBuffer(tileArray.id(), 0, frame.id(), static_cast<GLintptr>(group.tiles), sizeof(Tile));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(group.tileCount));
   }
 
   std::vector<std::string> outputDefines(const RenderSettings& settings, Output output) const {
@@ -303,6 +313,7 @@ struct Renderer::State {
       const EnvironmentPtr& environment = r.view.scene->environment;
       for (size_t g = 0; g < r.groups.size(); ++g) {
         const LightGroup& group = r.groups[g];
+        if (group.tileCount == 0) continue;
         if (group.broken) {
           brokenGroup(r, g, settings, output);
           continue;
@@ -323,7 +334,7 @@ struct Renderer::State {
         }
         const gl::Program& program = lightingProgram(group, defines);
         beginRectangles(framebuffer, output);
-        bindLighting(r);
+        bindLighting(r, group);
         if (environment) {
           glBindTextureUnit(6, cube);
           glBindTextureUnit(7, table);
@@ -331,18 +342,24 @@ struct Renderer::State {
         }
         group.setting.apply(program);
         glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);
-        drawRectangles(program, r);
+        drawRectangles(program, group);
       }
     }
   }
 
-  void bindLighting(const ReadyView& r) {
+  void bindLighting(const ReadyView& r, const LightGroup& group) {
     targets.bindGbuffer();
     frame.bind(GL_UNIFORM_BUFFER, 0, r.viewBlock, sizeof(ViewBlock));
     frame.bind(GL_UNIFORM_BUFFER, 2, r.directional, kMostDirectionalLights * sizeof(DirectionalBlock));
     if (!r.view.points.empty()) {
-      frame.bind(GL_SHADER_STORAGE_BUFFER, 0, r.points, r.view.points.size() * sizeof(PointBlock));
-      frame.bind(GL_SHADER_STORAGE_BUFFER, 1, r.list, r.view.tiles.list.size() * sizeof(uint32_t));
+      if (!tileLights) {
+        GLuint id = 0;
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+        tileLights = gl::Texture(id);
+      }
+      glTextureBufferRange(tileLights.id(), GL_RGBA32F, frame.id(), static_cast<GLintptr>(group.tileLights),
+                           static_cast<GLsizeiptr>(std::max<size_t>(group.tileLightCount, 1) * sizeof(PointBlock)));
+      glBindTextureUnit(8, tileLights.id());
     }
   }
 
@@ -429,9 +446,11 @@ struct Renderer::State {
       }
       program.set4("groupColors", &colors[0].x, 256);
       program.set("mode", mode - 1);  // 0 is the first buffer, after "lit"
-      bindLighting(r);
-      glStencilFunc(GL_NOTEQUAL, 0, 0xff);
-      drawRectangles(program, r);
+      for (size_t g = 0; g < r.groups.size(); ++g) {
+        bindLighting(r, r.groups[g]);
+        glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);
+        drawRectangles(program, r.groups[g]);
+      }
     }
   }
 
@@ -517,7 +536,7 @@ struct Renderer::State {
   FrameBuffer frame;
   gl::VertexArray tileArray;
   gl::Buffer wholeTile;
-  gl::Texture blackCube;
+  gl::Texture blackCube, tileLights;
   std::vector<ReadyView> ready;
   bool emissive = false, parameters = false;
   int accumulated = 0;

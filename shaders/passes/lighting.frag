@@ -17,12 +17,9 @@ struct DirectionalLight {
 layout(std140, binding = 2) uniform DirectionalLights { DirectionalLight directional[16]; };
 
 #ifdef POINT_LIGHTS
-struct PointLight {
-  vec4 position;   // w: 1 / radius^2
-  vec4 intensity;  // candela
-};
-layout(std430, binding = 0) readonly buffer PointLights { PointLight points[]; };
-layout(std430, binding = 1) readonly buffer LightList { uint lightList[]; };
+// Two texels a light, in the order of the tiles' lists: position in metres with 1 / radius^2, intensity in candela.
+// A texture, because software GL reads those eight pixels at a time and storage buffers one by one.
+layout(binding = 8) uniform samplerBuffer tileLights;
 #endif
 
 #ifdef ENVIRONMENT
@@ -73,16 +70,17 @@ void main() {
 #ifdef POINT_LIGHTS
   vec3 position = worldPosition(gl_FragCoord.xy, texelFetch(gDepth, pixel, 0).r);
   for (int i = 0; i < inLights.y; ++i) {
-    PointLight light = points[lightList[inLights.x + i]];
-    vec3 toLight = light.position.xyz - position;
+    vec4 lightPosition = texelFetch(tileLights, 2 * (inLights.x + i));
+    vec3 intensity = texelFetch(tileLights, 2 * (inLights.x + i) + 1).rgb;
+    vec3 toLight = lightPosition.xyz - position;
     float distance2 = dot(toLight, toLight);
     vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
     // Karis 2013, eq. 9: inverse square, windowed to reach zero at the radius, and finite at the light.
-    float ratio2 = distance2 * light.position.w;
+    float ratio2 = distance2 * lightPosition.w;
     float window = clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
     float weight = window * window / (distance2 + 1.0) * max(dot(N, L), 0.0);
     setDirections(s, N, V, L);
-    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (light.intensity.rgb * weight);
+    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (intensity * weight);
   }
 #endif
 #ifdef ENVIRONMENT
