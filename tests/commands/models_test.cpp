@@ -1,0 +1,91 @@
+// glint models and glint new-model.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/program.h"
+
+namespace glint {
+namespace {
+
+using testing::HasSubstr;
+using testing_support::filesIn;
+using testing_support::glint;
+using testing_support::scratch;
+
+void write(const std::string& name, const std::string& text) {
+  std::filesystem::create_directories((scratch() / name).parent_path());
+  std::ofstream(scratch() / name) << text;
+}
+
+TEST(ModelsCommand, ListsModelsAndTerms) {
+  const auto ran = glint({"models"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  EXPECT_THAT(ran.out, testing::AllOf(HasSubstr("burley"), HasSubstr("gamma 1.5 (1..4)"), HasSubstr("SmithGGXCorrelated")));
+}
+
+TEST(ModelsCommand, Json) {
+  const auto document = glint({"models", "--json"}).json();
+  ASSERT_TRUE(document.is_object());
+  ASSERT_GE(document["models"].size(), 5u);
+  for (const auto& model : document["models"])
+    for (const char* key : {"id", "title", "file", "parameters", "terms", "claims", "cite"})
+      EXPECT_TRUE(model.contains(key)) << model;
+  EXPECT_TRUE(document["problems"].empty());
+}
+
+TEST(ModelsCommand, NamesProblemsAndListsTheRest) {
+  write("mine/bad.glsl", "/*glint\n{\"id\": \"bad\",\n \"terms\": {\"D\": \"GXX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}}\n*/");
+  const auto ran = glint({"models", "--models-dir", "mine"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.out, HasSubstr("ggx"));
+  EXPECT_EQ(ran.err, "glint: error: mine/bad.glsl:3: terms: unknown D term 'GXX'; did you mean 'GGX'?\n");
+  const auto json = glint({"models", "--models-dir", "mine", "--json"});
+  EXPECT_EQ(json.code, 1);
+  EXPECT_EQ(json.json()["problems"][0]["place"], "mine/bad.glsl:3");
+}
+
+TEST(ModelsCommand, ChecksTheLaws) {
+  write("mine/bright.glsl", "/*glint {\"id\": \"bright\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"},\n"
+                            "\"claims\": {\"energyConserving\": true}} */\n"
+                            "float V(Shading s, Parameters p) { return 1.0; }\n");
+  const auto ran = glint({"models", "--check", "--models-dir", "mine"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.errorLines().size(), 1u) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("mine/bright.glsl: does not conserve energy"));
+}
+
+TEST(NewModelCommand, WritesOneThatWorks) {
+  std::filesystem::create_directory(scratch() / "mine");
+  const auto made = glint({"new-model", "two-lobe", "--models-dir", "mine", "--quiet"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(made.out, "mine/two-lobe.glsl\n");
+  EXPECT_EQ(filesIn(scratch() / "mine"), std::vector<std::string>{"two-lobe.glsl"});
+  const auto checked = glint({"models", "--check", "--models-dir", "mine", "--json"});
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_THAT(checked.out, HasSubstr("\"Two lobe\""));
+}
+
+TEST(NewModelCommand, GoesToTheConfigurationByDefault) {
+  ::setenv("XDG_CONFIG_HOME", (scratch() / "config").c_str(), 1);
+  EXPECT_EQ(glint({"new-model", "mine"}).code, 0);
+  EXPECT_EQ(filesIn(scratch() / "config/glint/models"), std::vector<std::string>{"mine.glsl"});
+  EXPECT_THAT(glint({"models"}).out, HasSubstr("mine.glsl"));
+}
+
+TEST(NewModelCommand, BadInput) {
+  write("mine/taken.glsl", "anything");
+  EXPECT_BAD_INPUT(glint({"new-model", "taken", "--models-dir", "mine"}), "mine/taken.glsl", "is there already");
+  EXPECT_BAD_INPUT(glint({"new-model", "ggx", "--models-dir", "mine"}), "'ggx'", "is taken by");
+  EXPECT_BAD_INPUT(glint({"new-model", "../escape", "--models-dir", "mine"}), "'../escape'", "is no id");
+  EXPECT_BAD_INPUT(glint({"new-model", "", "--models-dir", "mine"}), "''", "is no id");
+  ::setenv("XDG_CONFIG_HOME", (scratch() / "mine/taken.glsl").c_str(), 1);
+  EXPECT_BAD_INPUT(glint({"new-model", "mine"}), (scratch() / "mine/taken.glsl/glint/models").string(), "cannot be made");
+  EXPECT_EQ(filesIn(scratch() / "mine"), std::vector<std::string>{"taken.glsl"});
+  EXPECT_EQ(glint({"new-model"}).code, 2);
+}
+
+}  // namespace
+}  // namespace glint
