@@ -1,0 +1,34 @@
+#include "app/bench/cases.h"
+#include "renderer/environment.h"
+#include "renderer/environment_benchmark.h"
+
+namespace glint {
+
+std::vector<BenchCase> environmentCases(const ModelRegistry&) {
+  std::vector<BenchCase> cases;
+  cases.push_back({"env.prefilter", "a 1024x512 environment made ready for one model, past every cache", [](BenchSetup& setup) -> Result<Measurement> {
+                     const auto model = plainModel(setup.libraries);
+                     if (!model) return model.diagnostics();
+                     const auto studio = loadEnvironment("studio");
+                     if (!studio) return studio.diagnostics();
+                     EnvironmentBenchmark benchmark(*model);
+                     if (const Diagnostics problems = benchmark.prefilter(*studio); !problems.empty()) return problems;
+                     Measurement result = measure("env.prefilter", setup.effort, [&] { benchmark.prefilter(*studio); });
+                     if (setup.quick) return result;
+                     const auto errors = benchmark.errors(*studio);
+                     if (!errors) return errors.diagnostics();
+                     result.note = fmt::format("{}x{}, relative RMS error by level", (*studio)->pixels.width, (*studio)->pixels.height);
+                     for (const double error : *errors) result.note += fmt::format(" {:.4f}", error);
+                     return result;
+                   }});
+  cases.push_back({"env.brdf", "the environment BRDF of one model, past every cache", [](BenchSetup& setup) -> Result<Measurement> {
+                     const auto model = plainModel(setup.libraries);
+                     if (!model) return model.diagnostics();
+                     EnvironmentBenchmark benchmark(*model);
+                     if (const Diagnostics problems = benchmark.brdf(); !problems.empty()) return problems;
+                     return measure("env.brdf", setup.effort, [&] { benchmark.brdf(); });
+                   }});
+  return cases;
+}
+
+}  // namespace glint

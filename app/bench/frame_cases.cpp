@@ -1,0 +1,96 @@
+#include "app/bench/cases.h"
+#include "app/bench/standard_scene.h"
+#include "renderer/calibration.h"
+#include "renderer/environment.h"
+
+namespace glint {
+namespace {
+
+RenderSettings plainSettings() {
+  RenderSettings settings;
+  settings.background = Background::None;  // the spheres are what is measured
+  return settings;
+}
+
+View standardView(const Scene& scene) { return {&scene, standardCamera(), {0, 0, kStandardSize.x, kStandardSize.y}}; }
+
+// One frame at 1280x720, to its last pixel.
+void draw(BenchSetup& setup, const Scene& scene) {
+  const View view = standardView(scene);
+  setup.renderer().drawToTexture({&view, 1}, kStandardSize, plainSettings());
+}
+
+Result<Scene> litScene(BenchSetup& setup, const std::vector<ModelPtr>& models, bool sun, bool environment, int points) {
+  auto scene = standardScene(models, setup.libraries);
+  if (!scene) return scene;
+  if (sun) scene->lights.push_back(standardSun());
+  for (const Light& light : standardPointLights(points)) scene->lights.push_back(light);
+  if (environment) {
+    auto studio = loadEnvironment("studio");
+    if (!studio) return studio.diagnostics();
+    scene->environment = *studio;
+  }
+  return scene;
+}
+
+BenchCase frameCase(const std::string& name, const std::string& doc, bool sun, bool environment, int points) {
+  return {name, doc, [=](BenchSetup& setup) -> Result<Measurement> {
+            const auto model = plainModel(setup.libraries);
+            if (!model) return model.diagnostics();
+            const auto scene = litScene(setup, {*model}, sun, environment, points);
+            if (!scene) return scene.diagnostics();
+            Measurement result = measure(name, setup.effort, [&] { draw(setup, *scene); });
+            if (hasErrors(setup.renderer().problems())) return setup.renderer().problems();
+            return result;
+          }};
+}
+
+// The lighting pass alone, on the G-buffer of one frame under 16 point lights.
+BenchCase lightingCase(const std::string& name, const std::string& doc, const std::vector<ModelPtr>& models) {
+  return {name, doc, [=](BenchSetup& setup) -> Result<Measurement> {
+            const auto scene = litScene(setup, models, false, false, 16);
+            if (!scene) return scene.diagnostics();
+            draw(setup, *scene);
+            if (hasErrors(setup.renderer().problems())) return setup.renderer().problems();
+            return measure(name, setup.effort, [&] { setup.renderer().relight(); });
+          }};
+}
+
+}  // namespace
+
+std::vector<BenchCase> frameCases(const ModelRegistry& models) {
+  std::vector<BenchCase> cases;
+  cases.push_back({"calibrate", "fixed arithmetic, fill and triangles: divide by it to compare machines", [](BenchSetup& setup) -> Result<Measurement> {
+                     Calibration calibration;
+                     const double arithmetic = measure("", setup.effort, [&] { calibration.arithmetic(); }).median;
+                     const double fill = measure("", setup.effort, [&] { calibration.fill(); }).median;
+                     const double triangles = measure("", setup.effort, [&] { calibration.triangles(); }).median;
+                     return measure("calibrate", setup.effort, [&] { calibration.all(); },
+                                    fmt::format("arithmetic {:.1f}, fill {:.1f}, triangles {:.1f} ms", arithmetic, fill, triangles));
+                   }});
+  cases.push_back(frameCase("frame.dir", "the standard scene at 1280x720 under one directional light", true, false, 0));
+  cases.push_back(frameCase("frame.env", "under the studio environment", false, true, 0));
+  cases.push_back(frameCase("frame.both", "under both", true, true, 0));
+  for (const int count : {16, 128, 1024})
+    cases.push_back(frameCase(fmt::format("frame.p{}", count), fmt::format("under {} point lights", count), false, false, count));
+  for (const ModelPtr& model : models.all())
+    cases.push_back(lightingCase("model." + model->id, "the lighting pass alone with " + model->title + ", 16 point lights", {model}));
+  std::vector<ModelPtr> four = models.all();
+  if (four.size() > 4) four.resize(4);
+  std::string names;
+  for (const ModelPtr& model : four) names += (names.empty() ? "" : ", ") + model->id;
+  cases.push_back(lightingCase("models.4", "the same with four models sharing the screen: " + names, four));
+  return cases;
+}
+
+Diagnostics drawFirstFrame(gl::Context& context, Libraries& libraries) {
+  BenchSetup setup(context, libraries, {}, true);
+  const auto model = plainModel(libraries);
+  if (!model) return model.diagnostics();
+  const auto scene = litScene(setup, {*model}, true, true, 0);
+  if (!scene) return scene.diagnostics();
+  draw(setup, *scene);
+  return hasErrors(setup.renderer().problems()) ? setup.renderer().problems() : Diagnostics{};
+}
+
+}  // namespace glint
