@@ -55,7 +55,7 @@ float EnvironmentLighting::levelRoughness(int level) {
 }
 
 int EnvironmentLighting::levelSamples(int level) {
-  constexpr int kSamples[kLevels] = {1, 64, 128, 512, 1024, 2048};
+  constexpr int kSamples[kLevels] = {1, 64, 256, 512, 1024, 2048};
   return kSamples[level];
 }
 
@@ -183,6 +183,79 @@ Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environ
     }
   }
   return cube;
+}
+
+namespace {
+
+gl::Texture bufferTexture(const gl::Buffer& buffer) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+  glTextureBuffer(id, GL_RGBA32F, buffer.id());
+  return gl::Texture(id);
+}
+
+// As cubeDirection() of shaders/common/cube.glsl.
+glm::vec3 cubeDirection(int face, glm::vec2 p) {
+  const glm::vec2 q = 2.0f * p - 1.0f;
+  switch (face) {
+    case 0: return {1, -q.y, -q.x};
+    case 1: return {-1, -q.y, q.x};
+    case 2: return {q.x, 1, q.y};
+    case 3: return {q.x, -1, -q.y};
+    case 4: return {q.x, -q.y, 1};
+    default: return {-q.x, -q.y, -1};
+  }
+}
+
+}  // namespace
+
+Result<std::array<double, EnvironmentLighting::kLevels>> EnvironmentLighting::prefilterError(
+    const EnvironmentPtr& environment, const ModelSetting& setting, GLuint cube) {
+  constexpr int kSamples = 65536, kMostTexels = 512;
+  const auto rows = lobe(setting);
+  if (!rows) return rows.diagnostics();
+  const EnvironmentMaps& source = maps(environment);
+  const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/prefilter_reference.frag", {}, {}});
+  std::array<double, kLevels> errors{};
+  for (int level = 1; level < kLevels; ++level) {
+    const int size = kSize >> level, texels = 6 * size * size;
+    const int count = std::min(texels, kMostTexels);
+    std::vector<float> pixels(static_cast<size_t>(texels) * 4);
+    glGetTextureImage(cube, level, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(pixels.size() * 4), pixels.data());
+    std::vector<glm::vec4> directions;
+    std::vector<int> chosen;
+    for (int i = 0; i < count; ++i) {
+      const int texel = static_cast<int>((i + 0.5) * texels / count);
+      const int face = texel / (size * size), y = texel / size % size, x = texel % size;
+      chosen.push_back(texel);
+      directions.emplace_back(glm::normalize(cubeDirection(face, (glm::vec2(x, y) + 0.5f) / static_cast<float>(size))), 0);
+    }
+    const std::vector<glm::vec4> samples = lobeSamples((*rows)[static_cast<size_t>(level)], kSamples, source.size);
+    const gl::Buffer directionBuffer = gl::createBuffer(std::as_bytes(std::span(directions)));
+    const gl::Buffer lobeBuffer = gl::createBuffer(std::as_bytes(std::span(samples)));
+    const gl::Texture directionTexture = bufferTexture(directionBuffer), lobeTexture = bufferTexture(lobeBuffer);
+    const gl::Texture target = gl::createTexture2D(GL_RGBA32F, count, 1);
+    const GLuint color = target.id();
+    const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
+    glBindTextureUnit(6, source.cube.id());
+    glBindTextureUnit(8, directionTexture.id());
+    glBindTextureUnit(9, lobeTexture.id());
+    program.set("sampleCount", static_cast<int>(samples.size()));
+    program.set("sharper", 1.5f);
+    drawFullTarget(program, framebuffer.id(), count, 1);
+    std::vector<float> reference(static_cast<size_t>(count) * 4);
+    glGetTextureImage(color, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(reference.size() * 4), reference.data());
+    double difference = 0, whole = 0;
+    for (int i = 0; i < count; ++i)
+      for (int c = 0; c < 3; ++c) {
+        const double exact = reference[static_cast<size_t>(4 * i + c)];
+        const double got = pixels[static_cast<size_t>(4 * chosen[static_cast<size_t>(i)] + c)];
+        difference += (got - exact) * (got - exact);
+        whole += exact * exact;
+      }
+    errors[static_cast<size_t>(level)] = whole > 0 ? std::sqrt(difference / whole) : 0;
+  }
+  return errors;
 }
 
 gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& directions) {
