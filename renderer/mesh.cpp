@@ -52,8 +52,8 @@ glm::vec3 direction(const glm::vec3& v) {
   return length > 0 && std::isfinite(length) ? v / length : glm::vec3(0);
 }
 
-// Vertices that agree in place, normal and uv0 share their tangent, however the file split them.
-std::vector<uint32_t> weld(const std::vector<Vertex>& vertices) {
+// Vertices that agree in place, normal and uv share their tangent, however the file split them.
+std::vector<uint32_t> weld(const std::vector<Vertex>& vertices, glm::vec2 Vertex::*uv) {
   struct Key {
     std::array<float, 8> v;
     bool operator==(const Key& other) const { return std::memcmp(v.data(), other.v.data(), sizeof v) == 0; }
@@ -66,7 +66,7 @@ std::vector<uint32_t> weld(const std::vector<Vertex>& vertices) {
   std::vector<uint32_t> group(vertices.size());
   for (uint32_t i = 0; i < vertices.size(); ++i) {
     const Vertex& v = vertices[i];
-    const Key key{{v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv0.x, v.uv0.y}};
+    const Key key{{v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, (v.*uv).x, (v.*uv).y}};
     group[i] = first.try_emplace(key, i).first->second;
   }
   return group;
@@ -74,13 +74,13 @@ std::vector<uint32_t> weld(const std::vector<Vertex>& vertices) {
 
 }  // namespace
 
-void computeTangents(Mesh& mesh) {
+void computeTangents(Mesh& mesh, glm::vec2 Vertex::*uv) {
   // Sums of the triangles whose uv keep their handedness, and of those that mirror it.
   struct Sum {
     glm::vec3 kept{0}, mirrored{0};
     bool usesKept = false, usesMirrored = false;
   };
-  const std::vector<uint32_t> group = weld(mesh.vertices);
+  const std::vector<uint32_t> group = weld(mesh.vertices, uv);
   std::vector<Sum> sums(mesh.vertices.size());
   std::vector<bool> mirrored(mesh.indices.size() / 3);
 
@@ -88,7 +88,7 @@ void computeTangents(Mesh& mesh) {
     const uint32_t* corner = &mesh.indices[3 * t];
     const Vertex* v[3] = {&mesh.vertices[corner[0]], &mesh.vertices[corner[1]], &mesh.vertices[corner[2]]};
     const glm::vec3 e1 = v[1]->position - v[0]->position, e2 = v[2]->position - v[0]->position;
-    const glm::vec2 d1 = v[1]->uv0 - v[0]->uv0, d2 = v[2]->uv0 - v[0]->uv0;
+    const glm::vec2 d1 = v[1]->*uv - v[0]->*uv, d2 = v[2]->*uv - v[0]->*uv;
     const float area = d1.x * d2.y - d2.x * d1.y;
     // Counter-clockwise in space and, as v counts from the top, clockwise in uv: not mirrored.
     mirrored[t] = area > 0;

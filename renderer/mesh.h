@@ -28,10 +28,11 @@ struct Mesh {
 };
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-// Fills normals (area-weighted) or tangents (MikkTSpace's conventions: per-triangle gradients of uv0, angle-
+// Fills normals (area-weighted) or tangents (MikkTSpace's conventions: per-triangle gradients of uv, angle-
 // weighted, orthogonalised) from what is there. Without usable uv, any tangent perpendicular to the normal.
 void computeNormals(Mesh&);
-void computeTangents(Mesh&);
+// Where triangles that mirror their uv meet others, vertices are split: one has but one sign.
+void computeTangents(Mesh&, glm::vec2 Vertex::*uv = &Vertex::uv0);
 
 // The shapes of --mesh, centred on the origin, radius or half side 1 m; uv covers each face or the sphere.
 MeshPtr sphereMesh(int segments = 64, int rings = 32);
