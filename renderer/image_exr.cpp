@@ -1,5 +1,6 @@
 // OpenEXR, through the OpenEXR library.
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfCompression.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "renderer/image_codecs.h"
@@ -75,19 +77,116 @@ Diagnostic fault(const std::string& place, const std::exception& thrown) {
   return error(place, "is a truncated or corrupt .exr: " + what, "copy or export the file again");
 }
 
+// Times that a compression can shrink half or float pixels at the very most. A header that promises more than that
+// is a fault that must not cost its memory.
+uint64_t mostCompression(int compression) {
+  switch (compression) {
+    case Imf::NO_COMPRESSION: return 1;
+    case Imf::RLE_COMPRESSION: return 128;
+    case Imf::B44_COMPRESSION:
+    case Imf::B44A_COMPRESSION: return 16;
+    case Imf::PIZ_COMPRESSION: return 4096;
+    case Imf::DWAA_COMPRESSION:
+    case Imf::DWAB_COMPRESSION: return 65536;
+    default: return 2 * 1032;  // deflate's limit, and PXR24's halving before it
+  }
+}
+
+// Goes over the headers before the library does, which sizes its tables by them first and reads the file after.
+// "OpenEXR File Layout": magic, version, then for each part attributes (name, type, size, value) up to an empty
+// name; a file of several parts ends with an empty header.
+class HeaderCheck {
+ public:
+  HeaderCheck(std::string_view bytes, const std::string& place) : bytes_(bytes), place_(place) {}
+
+  Diagnostics run() {
+    at_ = 4;
+    const auto version = number(4);
+    if (!version) return truncated();
+    const bool severalParts = (*version & 0x1000) != 0;
+    for (bool first = true;; first = false) {
+      uint64_t width = 0, height = 0, bytesPerPixel = 0;
+      int compression = 0;
+      bool any = false;
+      for (;;) {
+        const auto attribute = word();
+        if (!attribute) return truncated();
+        if (attribute->empty()) break;
+        any = true;
+        const auto type = word();
+        const auto size = type ? number(4) : std::nullopt;
+        if (!size || *size > bytes_.size() - at_) return truncated();
+        const size_t value = at_, end = at_ + *size;
+        if (*attribute == "dataWindow" && *size == 16) {
+          int64_t box[4];
+          for (int64_t& side : box) side = int32_t(*number(4));
+          width = uint64_t(std::max<int64_t>(box[2] - box[0] + 1, 0));
+          height = uint64_t(std::max<int64_t>(box[3] - box[1] + 1, 0));
+          Diagnostics bad = codec::checkImageSize(width, height, kMostImageFPixels, place_);
+          if (!bad.empty()) return bad;
+        } else if (*attribute == "compression" && *size == 1) {
+          compression = int(*number(1));
+        } else if (*attribute == "tiles" && *size == 9) {
+          const uint64_t x = *number(4), y = *number(4);
+          Diagnostics bad = codec::checkImageSize(x, y, kMostImageFPixels, place_);
+          if (!bad.empty()) return bad;
+        } else if (*attribute == "channels") {
+          while (at_ < end && bytes_[at_] != 0) {
+            const auto channel = word();
+            const auto kind = channel ? number(4) : std::nullopt;
+            if (!kind || !number(4) || !number(4) || !number(4)) return truncated();
+            bytesPerPixel += *kind == Imf::HALF ? 2 : 4;
+          }
+        }
+        at_ = std::max(value, end);
+      }
+      if (!any && !first) return {};
+      // Subsampled channels are smaller, which is why this is generous: by four.
+      if (width * height * bytesPerPixel / 4 / mostCompression(compression) > bytes_.size())
+        return {error(place_, fmt::format("is a truncated .exr: {} bytes cannot hold {} x {} pixels", bytes_.size(), width, height),
+                      "copy or export the file again")};
+      if (!severalParts) return {};
+    }
+  }
+
+ private:
+  Diagnostics truncated() const {
+    return {error(place_, fmt::format("is a truncated or corrupt .exr: its header breaks off at byte {}", at_),
+                  "copy or export the file again")};
+  }
+  std::optional<uint64_t> number(size_t size) {
+    if (bytes_.size() - at_ < size) return {};
+    uint64_t value = 0;
+    for (size_t i = 0; i < size; ++i) value |= uint64_t(static_cast<unsigned char>(bytes_[at_ + i])) << (8 * i);
+    at_ += size;
+    return value;
+  }
+  std::optional<std::string_view> word() {
+    constexpr size_t kLongestName = 255;
+    const size_t end = bytes_.substr(at_, kLongestName + 1).find('\0');
+    if (end == std::string_view::npos) return {};
+    const std::string_view found = bytes_.substr(at_, end);
+    at_ += end + 1;
+    return found;
+  }
+
+  std::string_view bytes_;
+  const std::string& place_;
+  size_t at_ = 0;
+};
+
 }  // namespace
 
 bool isExr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
 
 Result<ImageF> decodeExr(std::string_view bytes, const std::string& place) try {
+  Diagnostics bad = HeaderCheck(bytes, place).run();
+  if (!bad.empty()) return bad;
   MemoryReader stream(bytes);
   Imf::InputFile file(stream, 0);
   const Imf::Header& header = file.header();
   const Imath::Box2i window = header.dataWindow();
-  const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
-  if (width < 1 || height < 1) return error(place, "is a corrupt .exr: its data window is empty", "export it again");
-  Diagnostics tooLarge = checkImageSize(uint64_t(width), uint64_t(height), kMostImageFPixels, place);
-  if (!tooLarge.empty()) return tooLarge;
+  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;  // within the caps
 
   const Imf::ChannelList& channels = header.channels();
   std::string names[3] = {"R", "G", "B"};
@@ -107,7 +206,7 @@ Result<ImageF> decodeExr(std::string_view bytes, const std::string& place) try {
     return error(place, fmt::format("is a truncated .exr: scanlines are missing from its {} bytes", bytes.size()),
                  "copy or export the file again");
 
-  ImageF image(int(width), int(height), 3);
+  ImageF image(width, height, 3);
   Imf::FrameBuffer target;
   const size_t pixel = 3 * sizeof(float), row = pixel * size_t(width);
   for (size_t c = 0; c < (grey ? 1u : 3u); ++c) {
@@ -126,6 +225,8 @@ Result<ImageF> decodeExr(std::string_view bytes, const std::string& place) try {
 }
 
 Result<ImageNotes> exrNotes(std::string_view bytes, const std::string& place) try {
+  Diagnostics bad = HeaderCheck(bytes, place).run();
+  if (!bad.empty()) return bad;
   MemoryReader stream(bytes);
   Imf::InputFile file(stream, 0);
   ImageNotes notes;
