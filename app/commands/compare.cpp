@@ -60,8 +60,7 @@ Result<Plan> parsePlan(const Arguments& arguments) {
   }
   if (arguments.has("materials") && arguments.has("sweep"))
     problems.push_back(error("--materials", "the columns are either materials or a sweep", "with --sweep, name one material by --material"));
-  if (!arguments.has("materials") && !arguments.has("sweep"))
-    problems.push_back(error("--materials", "nothing says what the columns are", "give --materials M1,M2 or --sweep roughness=0..1:5"));
+  if (!arguments.has("materials") && !arguments.has("sweep")) plan.sweeps.push_back({"roughness", 0, 1, 5});
   if (arguments.has("materials") && arguments.has("material"))
     problems.push_back(error("--material", "--materials names them already", "give one of them"));
   if (plan.sweeps.size() > 2) problems.push_back(error("--sweep", fmt::format("{} sweeps", plan.sweeps.size()), "two make a grid"));
@@ -379,7 +378,7 @@ std::vector<Option> options() {
       {"--models", "A,B,..", "a row for each shading model; parameters as burley:gamma=2", false, true},
       {"-o,--output", "OUT", "the sheet (.png), or the cells alone (.exr, .hdr, .pfm: linear)", false, true},
       {"--materials", "M1,M2,..", "a column for each material: library names or .json files"},
-      {"--sweep", "NAME=FROM..TO:COUNT", "a column for each value of an attribute or parameter; a second sweep goes down (repeatable)", true},
+      {"--sweep", "NAME=FROM..TO:COUNT", "a column for each value of an attribute or parameter, a second sweep goes down (repeatable); roughness=0..1:5 where nothing says what the columns are", true},
       {"--against", "ID", "heat maps and numbers of the difference to this model"},
       {"--cell", "N", "pixels of a cell's side, 16..2048 (256)"},
       {"--transpose", "", "models across, as in the thesis' figure 5.2"},
