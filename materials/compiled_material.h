@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "materials/value.h"
@@ -36,6 +37,8 @@ struct UniformField {
   int offset = 0;        // bytes
 };
 inline constexpr int kMaterialParametersBinding = 1;
+// Ids of the nodes that overrideAttribute() (graph_compile.h) puts into a graph start with this.
+inline constexpr std::string_view kOverridePrefix = "override-";
 
 // Where one of the model's parameters comes from, in the order of ShadingModel::parameters.
 struct ModelParameterSource {
@@ -72,7 +75,7 @@ struct CompiledMaterial {
 
   // The block as bytes, from the uniforms' current values.
   std::vector<std::byte> block() const;
-  UniformField* uniform(std::string_view name);
+  UniformField* uniform(std::string_view wanted);  // null when there is none of that name
   // The model's parameters as they are now; where one varies over the surface, its default.
   std::vector<Value> modelParameterValues() const;
 };

@@ -44,6 +44,7 @@ struct FunctionSignature {
     std::string name, doc;
     ValueType type = ValueType::Float;
     Value standard;
+    std::string surface;  // instead of `standard`, as in Pin
     float minimum = 0, maximum = 1;
   };
   std::vector<Port> inputs, outputs;

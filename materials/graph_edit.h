@@ -114,6 +114,7 @@ class GraphEditor {
   Diagnostics refuse(std::string_view node, std::string_view pin, std::string what, std::string hint = {});
   Diagnostics missing(const NodeId&);
   Diagnostics changeNode(const NodeId&, std::string label, Node after);
+  std::optional<Position> placeOf(const NodeId&) const;
   Edit::Header header() const;
   Diagnostics changeHeader(Edit::Header, std::string label);
 

@@ -37,6 +37,7 @@ namespace glint {
 struct ShadingModel;
 class NodeRegistry;
 class FunctionLibrary;
+struct AttributeNodePins;
 
 // The type of a pin. Numeric: Float, Vec2, Vec3, Vec4 or Color, the same for all numeric pins of one node:
 // the widest that is connected, where a float is promoted to any. Any: whatever is connected.
@@ -120,10 +121,12 @@ struct GraphContext {
   const NodeRegistry& nodes;
   const ShadingModel* model = nullptr;     // null: only the attributes that every material has
   const FunctionLibrary* functions = nullptr;
+  // Made at the first use: keep a context while its model stays.
+  mutable std::shared_ptr<const AttributeNodePins> attributeNodes = nullptr;
 };
 
 // The pins of one node. Never null; empty for an unknown kind or a function that cannot be found. Cheap: the
-// pins of data nodes are shared, those of attributes are made once for a model.
+// pins of data nodes are shared, those of attributes are made once for a context.
 NodePinsPtr pinsOf(const Node&, const GraphContext&, const std::filesystem::path& folder = {});
 
 // The attributes and the model's per-pixel parameters as pins, in order.
