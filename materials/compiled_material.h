@@ -61,7 +61,9 @@ struct CompiledMaterial {
   std::string model;     // id of the shading model it asks for
   // Declares the block and samplers and defines
   //   void evaluateMaterial(in MaterialInputs i, inout MaterialAttributes m)
-  // for the structs of shaders/common/material.glsl. Deterministic: the same graph, the same text.
+  // for the structs of shaders/common/material.glsl, which writes every member of `m` but `model`; of that, only
+  // what the graph sets: the caller puts the model's standardSlots() there before. Deterministic: the same graph,
+  // the same text.
   std::string glsl;
   uint64_t hash = 0;     // of glsl: programs are shared by it
   std::vector<UniformField> uniforms;

@@ -388,9 +388,12 @@ class Compiler {
     std::string assignments;
     for (size_t i = 0; i < pins_.size(); ++i) {
       const Pin& pin = pins_[i];
-      if (isStandard(attributes[i], pin.standard)) continue;
+      const bool standard = isStandard(attributes[i], pin.standard);
       const bool own = findAttribute(pin.name) != nullptr;
-      std::string value = program_.text(program_.convert(attributes[i], pin.type.type));
+      // Every attribute of its own is written, so that the result is whole whatever `m` came with; parameters of
+      // the model start from what the caller put there.
+      if (standard && !own) continue;
+      std::string value = program_.text(program_.convert(attribute(attributes, i), pin.type.type));
       std::string target = pin.name;
       if (!own) {
         const ModelParameter& parameter = *model_.parameter(pin.name);
@@ -400,9 +403,9 @@ class Compiler {
           value = fmt::format("float({})", value);
         result.writesModelParameters = true;
       }
-      result.writesEmissive |= pin.name == "emissive";
-      result.writesOpacityMask |= pin.name == "opacityMask";
-      result.writesNormal |= pin.name == "normal";
+      result.writesEmissive |= !standard && pin.name == "emissive";
+      result.writesOpacityMask |= !standard && pin.name == "opacityMask";
+      result.writesNormal |= !standard && pin.name == "normal";
       assignments += fmt::format("  m.{} = {};\n", target, value);
     }
     for (const ModelParameter& parameter : model_.parameters) {
@@ -425,7 +428,7 @@ class Compiler {
     }
     result.glsl = program_.declarations() + functions() +
                   "\nvoid evaluateMaterial(in MaterialInputs i, inout MaterialAttributes m) {\n" +
-                  program_.statements() + (program_.keptCount() && !assignments.empty() ? "\n" : "") + assignments +
+                  program_.statements() + (program_.keptCount() ? "\n" : "") + assignments +
                   "}\n";
     result.hash = hashText(result.glsl);
     result.name = material_.name;

@@ -81,6 +81,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     // "[json.exception.parse_error.101] parse error at line 3, column 1: syntax error while ..." keeps the
     // parser's own line, which is not the file's; ours replaces it.
     std::string what = e.what();
+    if (what.starts_with("[json.exception.out_of_range"))
+      return fail(lineBefore(std::min(position, text_.size())), "a number is out of range", "");
     if (const size_t colon = what.find(": "); colon != what.npos) what.erase(0, colon + 2);
     return fail(lineBefore(std::min(position, text_.size())), "not valid JSON: " + clip(what), "");
   }
