@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "renderer/environment_lighting.h"
 #include "renderer/renderer.h"
@@ -112,6 +115,34 @@ TEST_F(RendererTest, MetalInTheFurnaceShowsTheAlbedo) {
     Scene scene = sphereScene(c.model, {.baseColor = glm::vec3(1), .metallic = 1, .roughness = 1});
     scene.environment = test::uniformEnvironment(1);
     EXPECT_NEAR(center(linear(scene, orthographic())), c.albedo, 4e-3f) << c.model;
+  }
+}
+
+// Exact integrals (tests/data/environment_brdf.json, mpmath and two quadratures). The table's own 64 cells a side
+// limit it where the albedo is steep: below roughness 0.1 near grazing.
+TEST_F(RendererTest, EnvironmentBrdfMatchesTheExactIntegrals) {
+  const auto cases = nlohmann::json::parse(std::ifstream(GLINT_TESTS_DIR "/data/environment_brdf.json"));
+  constexpr int n = EnvironmentLighting::kBrdfSize;
+  std::map<std::string, std::vector<float>> tables;
+  for (const auto& c : cases) {
+    const std::string id = c["model"];
+    auto& table = tables[id];
+    if (table.empty()) {
+      const auto texture = renderer->environmentLighting().brdf(modelSetting(std::make_shared<ModelShader>(models->find(id)), {}));
+      ASSERT_TRUE(texture) << id;
+      table.resize(size_t{n} * n * 4);
+      glGetTextureImage(*texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(table.size() * 4), table.data());
+    }
+    const double x = c["NoV"].get<double>() * (n - 1), y = c["roughness"].get<double>() * (n - 1);
+    const int i = std::min(n - 2, static_cast<int>(x)), j = std::min(n - 2, static_cast<int>(y));
+    const auto at = [&](int channel) {
+      const auto texel = [&](int a, int b) { return double(table[static_cast<size_t>((b * n + a) * 4 + channel)]); };
+      return std::lerp(std::lerp(texel(i, j), texel(i + 1, j), x - i), std::lerp(texel(i, j + 1), texel(i + 1, j + 1), x - i), y - j);
+    };
+    const bool steep = c["roughness"] < 0.1 && c["NoV"] < 0.2;
+    EXPECT_NEAR(at(0), c["A"], steep ? 2e-2 : 4e-3) << c;
+    EXPECT_NEAR(at(1), c["B"], 4e-3) << c;
+    EXPECT_NEAR(at(2), 1, 2e-3) << c << " Lambert reflects all";
   }
 }
 
