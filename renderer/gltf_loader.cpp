@@ -75,9 +75,8 @@ Result<tinygltf::Model> parse(const std::string& bytes, const fs::path& path, Ch
 
 class Loader {
  public:
-  Loader(const tinygltf::Model& model, const CheckedGltf& checked, std::string place, GltfFile& file,
-         Diagnostics& warnings)
-      : model_(model), checked_(checked), place_(std::move(place)), file_(file), warnings_(warnings) {}
+  Loader(const tinygltf::Model& model, std::string place, GltfFile& file, Diagnostics& warnings)
+      : model_(model), place_(std::move(place)), file_(file), warnings_(warnings) {}
   Diagnostics problems;
 
   void readMaterials() {
@@ -109,7 +108,6 @@ class Loader {
   void addNode(const tinygltf::Node&, const glm::mat4& worldFromModel);
 
   const tinygltf::Model& model_;
-  const CheckedGltf& checked_;
   const std::string place_;                            // the file, as diagnostics name it
   GltfFile& file_;
   Diagnostics& warnings_;
@@ -168,11 +166,7 @@ GltfTexture Loader::texture(const Info& info, const std::string& path) {
     warnOnce(fmt::format("{} uses TEXCOORD_{}, which is not read", path, out.texCoord), "TEXCOORD_0 is used instead");
     out.texCoord = 0;
   }
-  // A picture beside the model is named by its path, so that a saved material finds it too.
-  const auto external = checked_.files.find(image->uri);
-  out.name = image->bufferView < 0 && external != checked_.files.end()
-                 ? external->second.string()
-                 : fmt::format("gltf:{}#{}", file_.path.string(), texture->source);
+  out.name = fmt::format("gltf:{}#{}", file_.path.string(), texture->source);
   pictures_.emplace(out.name, texture->source);
   return out;
 }
@@ -401,7 +395,7 @@ Result<GltfFile> loadGltf(const fs::path& path, Diagnostics& warnings) {
   file.path = path;
   std::error_code code;
   if (const fs::path absolute = fs::absolute(path, code); !code) file.path = absolute.lexically_normal();
-  Loader loader(*model, *checked, path.string(), file, warnings);
+  Loader loader(*model, path.string(), file, warnings);
   loader.readMaterials();
   loader.readPictures();
   loader.readMeshes();

@@ -15,8 +15,8 @@ namespace glint {
 
 // A texture as one material uses it.
 struct GltfTexture {
-  // What a TextureSlot calls it: the absolute path of a picture beside the model, or "gltf:PATH#N" for the
-  // N-th picture inside the file at the absolute PATH. Empty where the material has none.
+  // What a TextureSlot calls it: "gltf:PATH#N" for images[N] of the model at the absolute PATH. Empty where the
+  // material has none.
   std::string name;
   Image8Ptr image;                      // null where the material has none
   int texCoord = 0;                     // 0 or 1

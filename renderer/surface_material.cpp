@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "renderer/gltf_loader.h"
 #include "renderer/image_io.h"
 #include "renderer/parallel.h"
 
@@ -12,13 +11,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kGltfPrefix = "gltf:";
-
-// The model's path in "gltf:PATH#N"; empty when the name is not of that form.
-std::string gltfPath(const std::string& name) {
-  const size_t number = name.rfind('#');
-  if (!name.starts_with(kGltfPrefix) || number == std::string::npos) return {};
-  return name.substr(kGltfPrefix.size(), number - kGltfPrefix.size());
-}
 
 }  // namespace
 
@@ -37,7 +29,8 @@ Image8Ptr missingTexture() {
 }
 
 TextureCache::Entry TextureCache::load(const std::string& name) {
-  if (!gltfPath(name).empty()) return loadFromGltf(name);
+  if (name.starts_with(kGltfPrefix))
+    return {error(name.substr(kGltfPrefix.size()), "belongs to a model that is not open", "open the model, or choose a picture file"), name, {}, 0};
   Entry entry{error(name, "not read"), name, {}, 0};
   std::error_code code;
   // Before the read, so that a change during it is seen by refresh().
@@ -48,28 +41,6 @@ TextureCache::Entry TextureCache::load(const std::string& name) {
     entry.image = Image8Ptr(std::make_shared<const Image8>(std::move(*image)));
   else
     entry.image = image.diagnostics();
-  return entry;
-}
-
-TextureCache::Entry TextureCache::loadFromGltf(const std::string& name) {
-  const std::string path = gltfPath(name);
-  Entry entry{error(path, fmt::format("has no picture {}", name.substr(name.rfind('#') + 1)), "open the model again"), path, {}, 0};
-  std::error_code code;
-  entry.time = fs::last_write_time(path, code);
-  entry.size = code ? 0 : fs::file_size(path, code);
-  Diagnostics warnings;  // of the model as a whole: not about this picture
-  const Result<GltfFile> file = loadGltf(path, warnings);
-  if (!file) {
-    entry.image = file.diagnostics();
-    return entry;
-  }
-  const std::scoped_lock lock(mutex_);
-  for (const auto& [other, image] : file->images) {
-    if (other == name)
-      entry.image = image;
-    else
-      entries_.try_emplace(other, Entry{image, path, entry.time, entry.size});
-  }
   return entry;
 }
 

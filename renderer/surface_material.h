@@ -18,8 +18,9 @@ namespace glint {
 // The pictures that materials sample, each read once. Safe to use from several threads.
 class TextureCache {
  public:
-  // A picture by the name that a TextureSlot has for it: a path, or "gltf:PATH#N" (put() by whoever loaded that
-  // model, else read from PATH now). Null (white) for an empty name. Errors are kept until refresh().
+  // A picture by the name that a TextureSlot has for it: a path, or "gltf:PATH#N", which must have been put() by
+  // whoever opened that model: a material alone does not get to have it read. Null (white) for an empty name.
+  // Errors are kept until refresh().
   Result<Image8Ptr> get(const std::string& file);
   // Reads several at once, in parallel.
   void prepare(const std::vector<std::string>& files);
@@ -37,7 +38,6 @@ class TextureCache {
     uintmax_t size = 0;
   };
   Entry load(const std::string& name);
-  Entry loadFromGltf(const std::string& name);
 
   std::mutex mutex_;
   std::map<std::string, Entry> entries_;
