@@ -5,6 +5,7 @@
 
 #include "renderer/environment.h"
 #include "renderer/gltf_loader.h"
+#include "renderer/gltf_material.h"
 #include "renderer/mesh.h"
 
 namespace glint {
@@ -68,11 +69,13 @@ Result<LoadedMesh> loadMesh(const std::string& shapeOrFile, const std::string& p
   auto file = loadGltf(shapeOrFile, warnings);
   if (!file) return file.diagnostics();
   for (const GltfNode& node : file->nodes) loaded.instances.push_back({node.mesh, node.worldFromModel, node.material});
-  for (const auto& [name, image] : file->images) textures.put(name, image);
+  putPictures(*file, textures);
   for (const GltfMaterial& material : file->materials) {
-    loaded.materials.push_back(std::make_shared<Material>(newMaterial("default")));
-    loaded.doubleSided.push_back(material.doubleSided);
-    loaded.opacityCutoff.push_back(material.alphaCutoff);
+    SurfaceMaterial state;
+    setSurfaceState(material, state);
+    loaded.materials.push_back(std::make_shared<Material>(gltfMaterialGraph(material, *file)));
+    loaded.doubleSided.push_back(state.doubleSided);
+    loaded.opacityCutoff.push_back(state.opacityCutoff);
   }
   if (loaded.instances.empty()) return error(shapeOrFile, "its scene has no mesh", "export it with its geometry");
   return loaded;
