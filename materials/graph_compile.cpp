@@ -348,6 +348,10 @@ class Compiler {
       }
       const ValueType type = pins_[i].type.type;
       const ValueId from = program_.convert(attribute(a, i), type), to = program_.convert(attribute(b, i), type);
+      if (from == to) {  // the standard on one side, and the same on the other
+        mixed[i] = from;
+        continue;
+      }
       std::string text;
       if (type == ValueType::Bool || type == ValueType::Int)  // whole numbers have no between
         text = fmt::format("{} < 0.5 ? {} : {}", program_.text(mask), program_.text(from), program_.text(to));
