@@ -139,7 +139,7 @@ std::vector<Option> sceneOptionTable() {
       {"--view", "VIEW", "lit (the default) or a buffer: baseColor, normal, roughness, modelId, .."},
       {"--exposure", "EV", "the picture is multiplied by 2^EV"},
       {"--tonemap", "NAME", "none (the default), aces, agx or pbr-neutral"},
-      {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{}", kMostSamples)},
+      {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
       {"--compensate", "", "multiple scattering (not in this version)"},
       {"--reference", "SPP", "ground truth by Monte Carlo (not in this version)"},
   };
@@ -275,6 +275,7 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   if (given("view")) keep(problems, parseView(arguments.get("view")), options.render.view);
   if (given("exposure")) keep(problems, parseNumber(arguments.get("exposure"), -64, 64, "--exposure"), options.render.exposure);
   if (given("tonemap")) keep(problems, parseTonemap(arguments.get("tonemap")), options.render.tonemap);
+  options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);
   if (given("compensate")) problems.push_back(error("--compensate", "multiple scattering is not in this version", "leave it out"));
   if (given("reference")) problems.push_back(error("--reference", "the Monte Carlo reference is not in this version", "leave it out"));

@@ -177,7 +177,7 @@ std::string footerOf(const Plan& plan) {
 
 // A round number at or above the value: a scale to read heat maps by.
 float roundUp(double value) {
-  for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5})
+  for (const double step : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75})
     if (value <= step) return float(step);
   return 1;
 }
@@ -296,7 +296,7 @@ int run(const Arguments& arguments) {
   if (!plan) return badInput(plan.diagnostics());
   if (!plan->scene.backgroundGiven) {
     plan->scene.render.background = Background::Color;
-    plan->scene.render.backgroundColor = glm::vec3(0.0113f);  // the sheet's own ground: sRGB 28
+    plan->scene.render.backgroundColor = glm::vec3(0.0176f);  // the sheet's own ground: a dark grey that black stands out from
   }
   Libraries libraries(arguments.modelFolders);
   Diagnostics problems, warnings;

@@ -3,20 +3,26 @@
 
 namespace glint {
 
+extern const Command kBenchCommand;
+extern const Command kCompareCommand;
 extern const Command kCompileCommand;
 extern const Command kDiffCommand;
 extern const Command kInfoCommand;
 extern const Command kModelsCommand;
 extern const Command kNewModelCommand;
 extern const Command kNodesCommand;
+extern const Command kRenderCommand;
 
 std::span<const Command* const> commands() {
   static const Command* const table[] = {
+      &kRenderCommand,
+      &kCompareCommand,
       &kDiffCommand,
       &kModelsCommand,
       &kNodesCommand,
       &kNewModelCommand,
       &kCompileCommand,
+      &kBenchCommand,
       &kInfoCommand,
   };
   return table;
