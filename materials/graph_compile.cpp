@@ -45,8 +45,9 @@ class Compiler {
     const GraphAnalysis analysis = analyse(material_, context_);
     const NodeId output = material_.outputNode();
     std::map<NodeId, Ports> outputs;
-    Bundle attributes = evaluate(material_, analysis, {output}, {}, "", outputs).at(output);
+    std::map<NodeId, Bundle> bundles = evaluate(material_, analysis, {output}, {}, "", outputs);
     if (!problems.empty()) return;
+    Bundle attributes = std::move(bundles.at(output));
     applyModelParameters(attributes);
     std::vector<ValueId> results(attributes);
     for (const auto& [parameter, value] : constantParameters_) results.push_back(value);

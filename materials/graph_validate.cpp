@@ -152,6 +152,7 @@ std::vector<NodeId> topologicalOrder(const Material& material, std::vector<NodeI
         }
     }
     for (size_t i = path.size(); i-- > static_cast<size_t>(placeInPath[at]);) cycle->push_back(*ids[path[i]]);
+    std::rotate(cycle->begin(), std::min_element(cycle->begin(), cycle->end()), cycle->end());
   }
   return order;
 }
