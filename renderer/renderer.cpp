@@ -470,7 +470,8 @@ struct Renderer::State {
       lightingPass(settings, framebuffer, output);
     else
       bufferViewPass(settings, framebuffer, output);
-    if (!blackBackground(settings)) backgroundPass(settings, framebuffer, output);
+    // In an average every pixel must count its samples, so a black background is drawn there too.
+    if (output != Output::Picture || !blackBackground(settings)) backgroundPass(settings, framebuffer, output);
   }
 
   // Black, and sound (alpha 1) as often as samples will be added.
@@ -593,6 +594,7 @@ ImageF Renderer::linear(std::span<const View> views, glm::ivec2 size, const Rend
     for (int x = 0; x < size.x; ++x) {
       const float* p = &pixels[(static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)) * 4];
       for (int c = 0; c < 3; ++c) image.at(x, y)[c] = p[c] / static_cast<float>(samples);
+      s.statistics.invalidPixels += p[3] < static_cast<float>(samples) - 0.5f;
     }
   return image;
 }

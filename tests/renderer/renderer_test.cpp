@@ -196,6 +196,23 @@ TEST_F(RendererTest, PictureIsUprightAndEncoded) {
   EXPECT_EQ(renderer->statistics().invalidPixels, 0);
 }
 
+// Pixels that no surface covers are sound, however the background is drawn and however many samples there are.
+TEST_F(RendererTest, BackgroundsAreSoundPixels) {
+  Scene scene = sphereScene("ggx", {});
+  const View view{&scene, orthographic(), {0, 0, 32, 32}};
+  for (const char* mode : {"lit", "modelId"})
+    for (const int samples : {1, 3}) {
+      RenderSettings settings;
+      settings.view = mode;
+      settings.samples = samples;
+      settings.background = Background::None;
+      (void)renderer->picture(std::span(&view, 1), {32, 32}, settings);
+      EXPECT_EQ(renderer->statistics().invalidPixels, 0) << mode << " " << samples;
+      (void)renderer->linear(std::span(&view, 1), {32, 32}, settings);
+      EXPECT_EQ(renderer->statistics().invalidPixels, 0) << mode << " " << samples;
+    }
+}
+
 TEST_F(RendererTest, EveryViewModeDraws) {
   Scene scene = sphereScene("burley", {.baseColor = {0.9f, 0.5f, 0.2f}, .metallic = 1, .roughness = 0.6f});
   scene.environment = test::uniformEnvironment(1);
