@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "materials/attributes.h"
-#include "materials/graph_compile.h"
 
 namespace glint {
 namespace {
@@ -58,7 +57,7 @@ Result<SurfaceMaterial> surfaceWith(const Material& material, const ModelPtr& mo
     }
   }
   if (!faults.empty()) return faults;
-  auto compiled = compileMaterial(changed, *model, sources.nodes, sources.functions, {}, &problems);
+  auto compiled = compileMaterial(changed, *model, sources.nodes, sources.functions, sources.compile, &problems);
   if (!compiled) return compiled.diagnostics();
   for (const Setting& setting : settings)
     if (!isOverride(*model, setting.name)) add(setUniform(*compiled, setting, place));

@@ -6,6 +6,7 @@
 
 #include "materials/function_library.h"
 #include "materials/graph.h"
+#include "materials/graph_compile.h"
 #include "materials/model_registry.h"
 #include "materials/node_registry.h"
 #include "renderer/surface_material.h"
@@ -22,6 +23,7 @@ struct MaterialSources {
   const NodeRegistry& nodes;
   const FunctionLibrary& functions;
   TextureCache& textures;
+  CompileOptions compile = {};
 };
 
 // Compiles the material for `model` with the settings in force, and loads its textures. Attributes come before
