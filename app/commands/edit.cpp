@@ -1,0 +1,86 @@
+// glint edit: the editor, in a window; without a display, the standard comparison as a picture instead.
+#include <filesystem>
+
+#include "app/command.h"
+#include "app/editor/ui_driver.h"
+#include "app/editor/window.h"
+#include "app/scene_options.h"
+#include "app/standard_comparison.h"
+#include "materials/base/files.h"
+#include "materials/base/log.h"
+#include "renderer/image_io.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What cannot be opened is refused before a window appears.
+Diagnostics unreadable(const std::vector<fs::path>& files) {
+  Diagnostics problems;
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) problems.push_back(error(file.string(), "no such file"));
+    else if (!fs::is_regular_file(file, ignored)) problems.push_back(error(file.string(), "not a file"));
+  }
+  return problems;
+}
+
+int takeScreenshot(const Arguments& arguments, const std::vector<fs::path>& files, EditorOptions options) {
+  const std::string out = arguments.get("screenshot");
+  if (fs::path(out).extension() != ".png")
+    return badInput({error("--screenshot", "'" + out + "' is not a .png", "name a file that ends in .png")});
+  const auto size = parseSize(arguments.get("size", "1600x960"), "--size");
+  if (!size) return badInput(size.diagnostics());
+  auto context = gl::Context::create({.backend = arguments.backend});
+  if (!context) {
+    log::report(context.diagnostics());
+    return kNoContext;
+  }
+  // A picture for a page must not depend on what the last session left.
+  options.configFolder.clear();
+  UiDriver driver(**context, std::move(options), *size);
+  for (const fs::path& file : files) driver.editor().openFile(file);
+  if (!driver.settle(120)) log::report(warning("--screenshot", "the picture was still being drawn after two minutes"));
+  const Image8 picture = driver.screenshot();
+  const ImageNotes notes = {{"command", arguments.commandLine}, {"glint", GLINT_VERSION}, {"renderer", (*context)->info().renderer}};
+  const Diagnostics problems = writeImage8(out, picture, notes);
+  if (!problems.empty()) return badInput(problems);
+  log::info("wrote " + out);
+  return kDone;
+}
+
+int run(const Arguments& arguments) {
+  const auto given = arguments.all("file");
+  const std::vector<fs::path> files(given.begin(), given.end());
+  if (const Diagnostics problems = unreadable(files); !problems.empty()) return badInput(problems);
+  EditorOptions options{.modelFolders = arguments.modelFolders, .configFolder = configFolder()};
+  if (arguments.has("screenshot")) return takeScreenshot(arguments, files, std::move(options));
+
+  const Session session = Session::read(options.configFolder / "editor.json");
+  auto context = arguments.backend == gl::Backend::Auto || arguments.backend == gl::Backend::Glfw
+                     ? gl::Context::create({.backend = gl::Backend::Glfw, .window = true, .width = session.width, .height = session.height})
+                     : Result<std::unique_ptr<gl::Context>>(error("--backend", "the editor needs a window", "leave --backend out, or use glfw"));
+  if (context) return runWindow(**context, std::move(options), files);
+  if (arguments.backend == gl::Backend::Glfw) {
+    log::report(context.diagnostics());
+    return kNoContext;
+  }
+  log::info("no display for the editor (" + context.diagnostics().front().what + "): rendering the standard comparison instead");
+  return renderStandardComparison(arguments);
+}
+
+}  // namespace
+
+extern const Command kEditCommand;
+const Command kEditCommand = {
+    .name = "edit",
+    .summary = "Open the editor on a material, a mesh or a project",
+    .options = {{"file", "FILE", "material or project (.json), mesh (.glb, .gltf), environment or plugin", true},
+                {"--screenshot", "OUT.png", "draw the editor without a window, write its picture and leave"},
+                {"--size", "WxH", "of the screenshot (1600x960)"}},
+    .examples = {"glint edit materials/library/painted-metal.json", "glint edit model.glb", "glint edit --screenshot editor.png --size 1920x1080"},
+    .run = run,
+};
+
+}  // namespace glint

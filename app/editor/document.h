@@ -1,0 +1,96 @@
+// What is being edited: a material, how it is looked at, and one history over both.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/editor/journal.h"
+#include "app/editor/preview.h"
+#include "materials/graph_edit.h"
+#include "materials/node_registry.h"
+
+namespace glint {
+
+class Document {
+ public:
+  // Journals go to `journals`; an empty path keeps none.
+  Document(const NodeRegistry&, std::filesystem::path journals);
+  ~Document();
+
+  const Material& material() const { return graph_->material(); }
+  const GraphEditor& graph() const { return *graph_; }
+  const Preview& preview() const { return preview_; }
+
+  // Edits. While something is held (a mouse button, a widget), they become one step, named `label`; otherwise each is
+  // a step of its own. A refusal comes back as diagnostics, is kept as refusal(), and changes nothing.
+  Diagnostics edit(const std::string& label, const std::function<Diagnostics(GraphEditor&)>&);
+  void setPreview(const std::string& label, Preview);
+  // Looking around is no step.
+  void setOrbit(const Orbit&);
+
+  // Once a frame: whether the user still holds what he edits with. The step ends when nothing is held.
+  void hold(bool held);
+
+  bool canUndo() const { return !gesture_ && position_ > 0; }
+  bool canRedo() const { return !gesture_ && position_ < steps_.size(); }
+  void undo();
+  void redo();
+  // Steps back or forth until `position` steps are in force.
+  void goTo(size_t position);
+  struct Step {
+    std::string label;
+    bool ofGraph = true;
+    Preview before, after;   // when not of the graph
+  };
+  const std::vector<Step>& steps() const { return steps_; }
+  size_t position() const { return position_; }
+
+  // Grow with what they name; the render thread and the panels compare them.
+  uint64_t meaningRevision() const { return graphBase_ + graph_->meaningRevision(); }
+  uint64_t graphRevision() const { return graphBase_ + graph_->revision(); }
+  uint64_t previewRevision() const { return previewRevision_; }
+
+  // Files. A project (".glint.json"... any JSON of "glint": "project") is a material and a preview; saving a plain
+  // material writes the graph only, and its preview lives with the session.
+  bool modified() const;
+  const std::filesystem::path& file() const { return file_; }   // empty when never saved
+  bool isProject() const { return project_; }
+  std::string title() const;                                     // "aluminium.json *"
+  void startNew(Material, const Preview&);                       // unsaved
+  Diagnostics open(const std::filesystem::path&, Diagnostics& warnings);
+  Diagnostics save();                                            // to file()
+  Diagnostics saveAs(const std::filesystem::path&, bool project);
+  // Replaces the material by what a journal kept, as one undoable step on top of the file it belongs to.
+  Diagnostics recover(const Journal::Record&);
+
+  Journal& journal() { return journal_; }
+
+ private:
+  void syncSteps(const std::string& label);
+  void addStep(Step);
+  void record();
+  void reset(Material, const Preview&, const std::filesystem::path& file, bool project);
+  std::string projectText() const;
+
+  const NodeRegistry& nodes_;
+  std::unique_ptr<GraphEditor> graph_;
+  Preview preview_;
+  std::vector<Step> steps_;
+  size_t position_ = 0;
+  size_t graphPosition_ = 0;    // of graph_ when it was last looked at
+  bool held_ = false, gesture_ = false;
+  std::string gestureLabel_;
+  Preview gesturePreview_;
+  bool previewTouched_ = false;
+  Preview savedPreview_;
+  bool savedMaterialKnown_ = true;   // false after recovery, so that it counts as modified
+  uint64_t graphBase_ = 0, previewRevision_ = 1;
+  std::filesystem::path file_;
+  bool project_ = false;
+  Journal journal_;
+};
+
+}  // namespace glint

@@ -1,0 +1,276 @@
+// The editor's frame around the panels: menu, shortcuts, status bar, questions.
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/editor.h"
+#include "app/editor/keys.h"
+#include "app/editor/theme.h"
+#include "app/editor/ui.h"
+#include "app/panels/panel.h"
+
+namespace glint {
+namespace {
+
+bool item(const char* label, const char* keys = nullptr, bool enabled = true, bool checked = false) {
+  const bool chosen = ImGui::MenuItem(label, keys, checked, enabled);
+  ui::mark(label);
+  return chosen;
+}
+
+bool menu(const char* label) {
+  const bool open = ImGui::BeginMenu(label);
+  if (!open) ui::mark(label);
+  return open;
+}
+
+// A centred question; returns whether it is open, between which and EndPopup() it is filled.
+bool question(const char* title, bool& wanted) {
+  if (std::exchange(wanted, false)) ImGui::OpenPopup(title);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y * 0.42f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(theme::px(460), display.x * 0.9f), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(18), theme::px(16)});
+  const bool open = ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar |
+                                                              ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  if (open) {
+    ui::heading(title);
+    ImGui::Dummy({0, theme::px(4)});
+  }
+  return open;
+}
+
+}  // namespace
+
+void Editor::handleShortcuts() {
+  if (files_.isOpen()) return;
+  if (shortcut(kControl, Key::Z, true)) document_->undo();
+  if (shortcut(kControlShift, Key::Z, true) || shortcut(kControl, Key::Y, true)) document_->redo();
+  if (shortcut(kControl, Key::S)) save();
+  if (shortcut(kControlShift, Key::S)) saveAs(document_->isProject());
+  if (shortcut(kControl, Key::O)) openDocument();
+  if (shortcut(kControl, Key::N)) newDocument();
+  if (shortcut(kControl, Key::Q)) requestQuit();
+  if (shortcut(kNoModifiers, Key::F1)) keysOpen_ = true;
+}
+
+void Editor::drawMenu() {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme::px(14), theme::px(6)});
+  ui::pushScope("Menu");
+  if (ImGui::BeginMainMenuBar()) {
+    if (menu("File")) {
+      if (item("New", "Ctrl+N")) newDocument();
+      if (item("Open\u2026", "Ctrl+O")) openDocument();
+      if (ImGui::BeginMenu("Open recent", !session_.recent.empty())) {
+        std::string chosen;
+        for (const std::string& file : session_.recent)
+          if (ImGui::MenuItem(file.c_str())) chosen = file;
+        ImGui::EndMenu();
+        if (!chosen.empty()) openFile(chosen);
+      }
+      ImGui::Separator();
+      if (item("Save", "Ctrl+S")) save();
+      if (item("Save as\u2026", "Ctrl+Shift+S")) saveAs(false);
+      if (item("Save project as\u2026")) saveAs(true);
+      ImGui::Separator();
+      if (item("Load mesh\u2026")) browseMesh();
+      if (item("Load environment\u2026")) browseEnvironment();
+      ImGui::Separator();
+      if (item("Quit", "Ctrl+Q")) requestQuit();
+      ImGui::EndMenu();
+    }
+    if (menu("Edit")) {
+      const auto& steps = document_->steps();
+      const size_t at = document_->position();
+      const std::string undo = at ? "Undo " + steps[at - 1].label : "Undo", redo = at < steps.size() ? "Redo " + steps[at].label : "Redo";
+      if (ImGui::MenuItem((undo + "###undo").c_str(), "Ctrl+Z", false, document_->canUndo())) document_->undo();
+      ui::mark("Undo");
+      if (ImGui::MenuItem((redo + "###redo").c_str(), "Ctrl+Shift+Z", false, document_->canRedo())) document_->redo();
+      ui::mark("Redo");
+      ImGui::EndMenu();
+    }
+    if (menu("View")) {
+      for (const PanelInfo& info : panelTable()) {
+        const bool on = layout_.shown(info.title);
+        if (item(info.title, nullptr, true, on)) {
+          if (on && layout_.visible(info.title)) layout_.hide(info.title);
+          else layout_.show(info.title);
+        }
+      }
+      ImGui::Separator();
+      if (item("Frame subject", "F")) frameSubject();
+      if (item("Reset layout")) layout_.reset();
+      ImGui::EndMenu();
+    }
+    if (menu("Help")) {
+      if (item("Keys and mouse", "F1")) keysOpen_ = true;
+      if (item("About Glint")) aboutOpen_ = true;
+      ImGui::EndMenu();
+    }
+    // The document's name in the middle, where a glance finds it.
+    const std::string title = document_->title();
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    const float x = std::round((ImGui::GetIO().DisplaySize.x - width) / 2);
+    if (x > ImGui::GetCursorPosX()) {
+      ImGui::SetCursorPosX(x);
+      ui::textDim(title);
+    }
+    ImGui::EndMainMenuBar();
+  }
+  ui::popScope();
+  ImGui::PopStyleVar();
+}
+
+void Editor::drawStatus(ImVec2 low, ImVec2 high) {
+  ImGui::SetNextWindowPos(low);
+  ImGui::SetNextWindowSize({high.x - low.x, high.y - low.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(10), theme::px(3)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kHeader);
+  ImGui::Begin("##status", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(4);
+  ImGui::PushFont(fonts_.small());
+
+  const auto progress = render_->progress();
+  if (progress && render_->working()) {
+    const float width = theme::px(120), height = theme::px(4);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + ImGui::GetFontSize() / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x, y - height / 2}, {at.x + width, y + height / 2}, theme::kField, height / 2);
+    list.AddRectFilled({at.x, y - height / 2}, {at.x + width * float(std::clamp(progress->fraction, 0.02, 1.0)), y + height / 2},
+                       theme::kAccent, height / 2);
+    ImGui::Dummy({width + theme::px(8), ImGui::GetFontSize()});
+    ImGui::SameLine(0, 0);
+    ui::textDim(progress->what);
+  } else if (!message_.empty() && time_ < messageUntil_) {
+    ImGui::PushStyleColor(ImGuiCol_Text, messageWrong_ ? theme::kError : theme::kText);
+    ImGui::TextUnformatted(message_.c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemClicked()) message_.clear();
+    ui::mark("message");
+  } else {
+    ui::textDim(selection_.empty() ? "Ready" : std::to_string(selection_.size()) + (selection_.size() == 1 ? " node selected" : " nodes selected"));
+  }
+
+  const FrameResult& frame = shown();
+  char facts[256];
+  std::snprintf(facts, sizeof facts, "%d \u00d7 %d    %d triangles    %.0f ms    %d sample%s    %s", frame.size.x, frame.size.y,
+                frame.statistics.triangles, frame.milliseconds, frame.samples, frame.samples == 1 ? "" : "s",
+                context_.info().renderer.c_str());
+  const float width = ImGui::CalcTextSize(facts).x;
+  const float x = ImGui::GetWindowWidth() - width - theme::px(10);
+  ImGui::SameLine();
+  if (frame.serial && x > ImGui::GetCursorPosX() + theme::px(12)) {
+    ImGui::SetCursorPosX(x);
+    ui::textDim(facts);
+  }
+  ImGui::PopFont();
+  ImGui::End();
+}
+
+void Editor::drawDialogs() {
+  ui::pushScope("Dialog");
+  const float width = theme::px(104);
+  if (question("Save your changes?", askOpen_)) {
+    ui::textDim("\u201c" + document_->title() + "\u201d has changes that are not saved. They are lost if you go on without saving.");
+    ImGui::Dummy({0, theme::px(8)});
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 3 * width - 2 * ImGui::GetStyle().ItemSpacing.x - theme::px(18));
+    if (ui::button("Cancel", false, width) || keyPressed(Key::Escape)) {
+      pendingAction_ = nullptr;
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (ui::button("Don\u2019t save", false, width)) {
+      ImGui::CloseCurrentPopup();
+      if (auto action = std::exchange(pendingAction_, nullptr)) action();
+    }
+    ImGui::SameLine();
+    if (ui::button("Save", true, width)) {
+      ImGui::CloseCurrentPopup();
+      save(std::exchange(pendingAction_, nullptr));
+    }
+    ImGui::EndPopup();
+  }
+
+  if (question("Recover unsaved work?", recoverOpen_)) {
+    if (recoverable_.empty()) {
+      ImGui::CloseCurrentPopup();
+    } else {
+      const Journal::Record& record = recoverable_.front();
+      ui::textDim("Glint ended without saving \u201c" + record.name + "\u201d" +
+                  (record.file.empty() ? "" : " (" + record.file + ")") + ". " + std::to_string(record.steps) +
+                  (record.steps == 1 ? " step" : " steps") + " can be brought back" +
+                  (record.label.empty() ? "." : ", the last of them \u201c" + record.label + "\u201d."));
+      ImGui::Dummy({0, theme::px(8)});
+      ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ImGui::GetStyle().ItemSpacing.x - theme::px(18));
+      bool done = false;
+      if (ui::button("Discard", false, width)) done = true;
+      ImGui::SameLine();
+      if (ui::button("Recover", true, width)) {
+        done = true;
+        const Diagnostics problems = document_->recover(record);
+        if (problems.empty()) say("Recovered " + record.name + ": save it to keep it");
+        else say(problems.front().text(), true);
+      }
+      if (done) {
+        Journal::discard(record.journal);
+        recoverable_.erase(recoverable_.begin());
+        ImGui::CloseCurrentPopup();
+        recoverOpen_ = !recoverable_.empty() && !document_->modified();
+      }
+    }
+    ImGui::EndPopup();
+  }
+
+  if (question("Keys and mouse", keysOpen_)) {
+    static constexpr std::pair<const char*, const char*> kKeys[] = {
+        {"Undo, redo", "Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y"},
+        {"New, open, save, save as", "Ctrl+N, Ctrl+O, Ctrl+S, Ctrl+Shift+S"},
+        {"Orbit", "drag with the left or middle button"},
+        {"Pan", "drag with the right button, or Shift and middle"},
+        {"Move closer, field of view", "wheel, Ctrl+wheel"},
+        {"Turn the environment", "Shift and right button, or Ctrl and left"},
+        {"Frame the subject, the graph", "F over the viewport, F or Home over the graph"},
+        {"Add a node", "Tab, Space or a right click on the canvas; drop a wire"},
+        {"Connect", "drag from pin to pin"},
+        {"Disconnect", "Alt+click a pin or wire; Ctrl and right button cuts"},
+        {"Reroute", "double-click a wire"},
+        {"Delete, duplicate", "Del or X, Ctrl+D"},
+        {"Cut, copy, paste", "Ctrl+X, Ctrl+C, Ctrl+V"},
+        {"Select all, comment", "Ctrl+A, C"},
+        {"Type into a slider", "Ctrl+click; double-click its name to reset"},
+    };
+    if (ImGui::BeginTable("keys", 2)) {
+      for (const auto& [what, how] : kKeys) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(what);
+        ImGui::TableNextColumn();
+        ui::textDim(how);
+      }
+      ImGui::EndTable();
+    }
+    ImGui::Dummy({0, theme::px(6)});
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - theme::px(18));
+    if (ui::button("Close", true, width) || keyPressed(Key::Escape)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+
+  if (question("About Glint", aboutOpen_)) {
+    ui::textDim("A material editor that shows the difference between shading models.");
+    ImGui::Dummy({0, theme::px(4)});
+    ui::textSmall("Version " GLINT_VERSION "\nOpenGL " + context_.info().version + "\n" + context_.info().renderer);
+    ImGui::Dummy({0, theme::px(6)});
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - theme::px(18));
+    if (ui::button("Close", true, width) || keyPressed(Key::Escape)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  files_.draw();
+  ui::popScope();
+}
+
+}  // namespace glint

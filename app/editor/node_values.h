@@ -1,0 +1,28 @@
+// Widgets for what a node is given: constants on its pins and its settings. Shared by the properties and the canvas.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "materials/graph.h"
+#include "materials/node.h"
+
+namespace glint {
+
+class Editor;
+
+// A constant out of JSON (number, array, bool, "#rrggbb") and back; nothing when it does not fit the type.
+std::optional<Value> valueFromJson(const Json&, ValueType);
+Json jsonFromValue(const Value&);
+
+// What an input pin is now, wire aside.
+Value inputValue(const Node&, const Pin&);
+std::string pinTitle(const Pin&);
+bool editable(const Pin&);                  // has a constant that a widget can show
+
+// One property line for an input: its widget, or what feeds it.
+void inputProperty(Editor&, const NodeId&, const Node&, const Pin&);
+// One property line for a setting.
+void settingProperty(Editor&, const NodeId&, const Node&, const SettingInfo&);
+
+}  // namespace glint

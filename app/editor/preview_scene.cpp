@@ -1,0 +1,262 @@
+#include "app/editor/preview_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/graph_compile.h"
+#include "materials/material_library.h"
+#include "renderer/environment.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+void append(Diagnostics& to, const Diagnostics& from) {
+  for (const Diagnostic& d : from)
+    if (std::find(to.begin(), to.end(), d) == to.end()) to.push_back(d);
+}
+
+fs::file_time_type timeOf(const std::string& file) {
+  std::error_code ignored;
+  const auto time = fs::last_write_time(file, ignored);
+  return ignored ? fs::file_time_type{} : time;
+}
+
+void boundsOf(const Scene& scene, glm::vec3& center, float& radius) {
+  glm::vec3 low(0), high(0);
+  bool any = false;
+  for (const Instance& instance : scene.instances) {
+    glm::vec3 a, b;
+    instance.mesh->bounds(a, b);
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec3 p(corner & 1 ? b.x : a.x, corner & 2 ? b.y : a.y, corner & 4 ? b.z : a.z);
+      const glm::vec3 world = instance.worldFromModel * glm::vec4(p, 1);
+      low = any ? glm::min(low, world) : world;
+      high = any ? glm::max(high, world) : world;
+      any = true;
+    }
+  }
+  center = (low + high) * 0.5f;
+  radius = std::max(1e-4f, glm::length(high - low) * 0.5f);
+}
+
+}  // namespace
+
+ComparisonLayout comparisonLayout(glm::ivec2 size, int rows, int columns, float scale) {
+  ComparisonLayout layout;
+  layout.titleHeight = std::round(30 * scale);
+  layout.titleWidth = std::round(108 * scale);
+  const int margin = int(std::round(12 * scale)), gap = int(std::round(6 * scale));
+  const int width = size.x - int(layout.titleWidth) - margin, height = size.y - int(layout.titleHeight) - margin;
+  CellGrid& grid = layout.grid;
+  grid.rows = rows;
+  grid.columns = columns;
+  grid.gapX = grid.gapY = gap;
+  const int n = std::max(1, columns), m = std::max(1, rows);
+  grid.cell = std::max(8, std::min((width - gap * (n - 1)) / n, (height - gap * (m - 1)) / m));
+  const glm::ivec2 whole = grid.size();
+  // The titles and the cells together lie in the middle.
+  grid.origin.x = int(layout.titleWidth) + std::max(0, (size.x - int(layout.titleWidth) - margin - whole.x) / 2);
+  grid.origin.y = margin + std::max(0, (height - whole.y) / 2);
+  return layout;
+}
+
+PreviewScene::PreviewScene(const NodeRegistry& nodes, const FunctionLibrary& functions)
+    : nodes_(nodes), functions_(functions) {}
+
+void PreviewScene::update(const FrameRequest& request) {
+  problems.clear();
+  graphOk = true;
+  usedSurfaces_.clear();
+  if (textures_.refresh()) surfaces_.clear();
+  const Preview& preview = request.preview;
+  loadEnvironmentOf(preview);
+  Scene stage;
+  stage.lights = preview.lights;
+  stage.environment = environment_;
+  stage.environmentRotation = glm::radians(preview.environmentRotation);
+  stage.environmentIntensity = preview.environmentIntensity;
+  append(problems, environmentProblems_);
+
+  comparison = preview.subject == Preview::Subject::Comparison;
+  if (comparison) buildComparison(request, stage);
+  else buildMesh(request, stage);
+  std::erase_if(surfaces_, [&](const auto& item) { return !usedSurfaces_.count(item.first); });
+
+  if (request.wantCode) {
+    const ModelPtr own = model(request, request.material->model, request.material->place());
+    if (own && (codeRevision_ != request.materialRevision || codeModel_ != own->hash || code.empty())) {
+      codeRevision_ = request.materialRevision;
+      codeModel_ = own->hash;
+      auto compiled = compileMaterial(*request.material, *own, nodes_, functions_);
+      if (compiled) {
+        code = compiled->glsl;
+        stats = compiled->stats;
+      }
+    }
+  }
+}
+
+ModelPtr PreviewScene::model(const FrameRequest& request, const std::string& id, const std::string& place) {
+  std::vector<std::string> known;
+  for (const ModelPtr& one : request.models) {
+    if (one->id == id) return one;
+    known.push_back(one->id);
+  }
+  append(problems, {error(place, "unknown shading model '" + id + "'", suggestion(id, known))});
+  return nullptr;
+}
+
+const SurfaceMaterial* PreviewScene::surface(const std::string& slot, const MaterialPtr& material, uint64_t revision,
+                                             const ModelPtr& model, const std::vector<Setting>& settings) {
+  usedSurfaces_.insert(slot);
+  Surface& kept = surfaces_[slot];
+  std::vector<std::pair<std::string, std::string>> given;
+  for (const Setting& setting : settings) given.emplace_back(setting.name, setting.text);
+  if (kept.revision != revision || kept.modelHash != model->hash || kept.settings != given) {
+    kept.revision = revision;
+    kept.modelHash = model->hash;
+    kept.settings = given;
+    kept.problems.clear();
+    std::vector<Setting> taken;
+    for (const Setting& setting : settings)
+      if (takesSetting(*material, *model, setting.name)) taken.push_back(setting);
+    CompileOptions options{.valuesAsUniforms = true};
+    auto made = surfaceWith(*material, model, taken, "sweep", {nodes_, functions_, textures_, options}, kept.problems);
+    if (made) {
+      kept.surface = std::move(*made);
+      kept.good = true;
+    } else {
+      append(kept.problems, made.diagnostics());
+      graphOk = false;
+    }
+  }
+  append(problems, kept.problems);
+  return kept.good ? &kept.surface : nullptr;
+}
+
+MaterialPtr PreviewScene::material(const std::string& nameOrFile) {
+  const auto time = timeOf(nameOrFile);
+  auto found = materials_.find(nameOrFile);
+  if (found == materials_.end() || found->second.time != time) {
+    Loaded loaded{.time = time};
+    if (found != materials_.end()) loaded.material = found->second.material;
+    auto read = loadMaterial(nameOrFile, nodes_, &loaded.problems);
+    if (read) loaded.material = std::make_shared<const Material>(std::move(*read));
+    else append(loaded.problems, read.diagnostics());
+    found = materials_.insert_or_assign(nameOrFile, std::move(loaded)).first;
+  }
+  append(problems, found->second.problems);
+  return found->second.material;
+}
+
+void PreviewScene::loadEnvironmentOf(const Preview& preview) {
+  const auto time = timeOf(preview.environment);
+  if (environmentName_ == preview.environment && environmentTime_ == time) return;
+  environmentName_ = preview.environment;
+  environmentTime_ = time;
+  environmentProblems_.clear();
+  auto loaded = loadEnvironment(preview.environment);
+  if (loaded) environment_ = *loaded;
+  else environmentProblems_ = loaded.diagnostics();
+}
+
+void PreviewScene::buildComparison(const FrameRequest& request, const Scene& stage) {
+  const Preview& preview = request.preview;
+  MeshPtr& sphere = shapes_["sphere"];
+  if (!sphere) sphere = sphereMesh();
+
+  struct Column {
+    std::string title;
+    MaterialPtr material;
+    uint64_t revision;
+    std::vector<Setting> settings;
+    std::string slot;
+  };
+  std::vector<Column> columns;
+  if (preview.columns == Preview::Columns::Sweep) {
+    const Sweep sweep{preview.sweepName, preview.sweepFrom, preview.sweepTo, std::clamp(preview.sweepCount, 1, 16)};
+    for (int i = 0; i < sweep.count; ++i)
+      columns.push_back({sweep.name + " " + sweep.title(i), request.material, request.materialRevision,
+                         {{sweep.name, fmt::format("{}", sweep.value(i))}}, "sweep" + std::to_string(i)});
+  } else {
+    columns.push_back({request.material->name, request.material, request.materialRevision, {}, "edited"});
+    for (const std::string& name : preview.materials) {
+      const MaterialPtr loaded = material(name);
+      // Its revision is its identity: a changed file is another object.
+      if (loaded) columns.push_back({loaded->name, loaded, reinterpret_cast<uintptr_t>(loaded.get()), {}, "file " + name});
+    }
+  }
+  if (preview.columns == Preview::Columns::Sweep) {
+    bool any = false;
+    for (const std::string& id : preview.models)
+      for (const ModelPtr& one : request.models)
+        if (one->id == id) any |= takesSetting(*request.material, *one, preview.sweepName);
+    if (!any)
+      append(problems, {error("sweep", "no cell has a parameter '" + preview.sweepName + "'",
+                              "choose an attribute, or a parameter of the material or of a model")});
+  }
+
+  std::vector<std::string> ids = preview.models;
+  if (ids.empty()) ids.push_back(request.material->model);
+  Comparison made;
+  made.camera = preview.comparisonOrbit.camera(1);
+  for (const Column& column : columns) made.columnTitles.push_back(column.title);
+  for (const std::string& id : ids) {
+    const ModelPtr shading = model(request, id, "comparison");
+    if (!shading) continue;
+    std::vector<Scene> row;
+    for (const Column& column : columns) {
+      Scene cell = stage;
+      const SurfaceMaterial* drawn = surface(column.slot + " on " + id, column.material, column.revision, shading, column.settings);
+      if (drawn) {
+        cell.materials.push_back(*drawn);
+        cell.instances.push_back({sphere, glm::mat4(1), 0});
+      }
+      row.push_back(std::move(cell));
+    }
+    made.rowTitles.push_back(shading->title);
+    for (Scene& cell : row) made.scenes.push_back(std::move(cell));
+  }
+  cells = std::move(made);
+  center = glm::vec3(0);
+  radius = 1;
+  subject = "comparison";
+}
+
+void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
+  const Preview& preview = request.preview;
+  Scene built = stage;
+  if (MeshPtr& shape = shapes_[preview.mesh]; shape || (shape = shapeMesh(preview.mesh))) {
+    built.instances.push_back({shape, glm::mat4(1), 0});
+  } else {
+    shapes_.erase(preview.mesh);
+    const auto time = timeOf(preview.mesh);
+    if (gltfName_ != preview.mesh || gltfTime_ != time) {
+      gltfName_ = preview.mesh;
+      gltfTime_ = time;
+      gltfProblems_.clear();
+      auto read = loadGltf(preview.mesh, gltfProblems_);
+      if (read) {
+        gltf_ = std::make_shared<const GltfFile>(std::move(*read));
+        for (const auto& [name, image] : gltf_->images) textures_.put(name, image);
+      } else {
+        append(gltfProblems_, read.diagnostics());
+      }
+    }
+    append(problems, gltfProblems_);
+    if (gltf_)
+      for (const GltfNode& node : gltf_->nodes) built.instances.push_back({node.mesh, node.worldFromModel, 0});
+  }
+  const ModelPtr shading = model(request, request.material->model, request.material->place());
+  const SurfaceMaterial* drawn =
+      shading ? surface("edited", request.material, request.materialRevision, shading, {}) : nullptr;
+  if (drawn) built.materials.push_back(*drawn);
+  else built.instances.clear();
+  boundsOf(built, center, radius);
+  scene = std::move(built);
+  subject = preview.mesh;
+}
+
+}  // namespace glint

@@ -1,0 +1,191 @@
+#include "app/editor/render_thread.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace glint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Pictures averaged when nothing changes any more.
+constexpr int kSamples = 16, kSamplesInSoftware = 8;
+// Over this, a picture is drawn at half the size while something is being dragged.
+constexpr double kSlowMilliseconds = 45;
+
+}  // namespace
+
+RenderThread::RenderThread(std::unique_ptr<gl::Context> shared, const NodeRegistry& nodes,
+                           const FunctionLibrary& functions, std::function<void()> wake)
+    : context_(std::move(shared)), nodes_(nodes), functions_(functions), wake_(std::move(wake)) {
+  thread_ = std::thread([this] { run(); });
+}
+
+RenderThread::~RenderThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void RenderThread::post(FrameRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    pending_ = std::move(request);
+  }
+  changed_.notify_all();
+}
+
+bool RenderThread::take() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!finished_) return false;
+    shown_ = std::move(*finished_);
+    finished_.reset();
+  }
+  changed_.notify_all();
+  return true;
+}
+
+bool RenderThread::hasFinished() const {
+  const std::lock_guard lock(mutex_);
+  return finished_.has_value();
+}
+
+std::optional<RenderThread::Progress> RenderThread::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+bool RenderThread::working() const {
+  const std::lock_guard lock(mutex_);
+  return pending_.has_value() || busy_;
+}
+
+bool RenderThread::settled() const {
+  const std::lock_guard lock(mutex_);
+  return !pending_ && !busy_ && !refining_ && !finished_;
+}
+
+void RenderThread::publish(FrameResult result) {
+  {
+    const std::lock_guard lock(mutex_);
+    finished_ = std::move(result);
+  }
+  wake_();
+}
+
+void RenderThread::run() {
+  context_->makeCurrent();
+  {
+    Renderer renderer(*context_);
+    PreviewScene scene(nodes_, functions_);
+    auto lastWake = Clock::now();
+    renderer.setProgress([&](const std::string& what, double fraction) {
+      {
+        const std::lock_guard lock(mutex_);
+        if (fraction >= 1) progress_.reset();
+        else progress_ = Progress{what, fraction};
+      }
+      if (since(lastWake) < 50 && fraction < 1) return;
+      lastWake = Clock::now();
+      wake_();
+    });
+    for (;;) {
+      FrameRequest request;
+      bool fresh = false;
+      {
+        std::unique_lock lock(mutex_);
+        // A texture is drawn again only after the window has gone over to the next one, so each picture waits until
+        // the one before has been taken.
+        changed_.wait(lock, [&] { return stop_ || (!finished_ && (pending_ || refining_)); });
+        if (stop_) break;
+        if (pending_) {
+          request = std::move(*pending_);
+          pending_.reset();
+          busy_ = fresh = true;
+          refining_ = false;
+        }
+      }
+      bool more = true;
+      if (fresh) draw(renderer, scene, request);
+      else more = refine(renderer, scene);
+      const std::lock_guard lock(mutex_);
+      busy_ = false;
+      progress_.reset();
+      refining_ = more && !pending_;
+    }
+  }
+  context_->release();
+}
+
+void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequest& request) {
+  const auto start = Clock::now();
+  current_ = request;
+  if (modelsRevision_ != request.modelsRevision) {
+    renderer.invalidateModels();
+    modelsRevision_ = request.modelsRevision;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    progress_ = Progress{"Preparing the scene", 0};
+  }
+  scene.update(request);
+
+  const Preview& preview = request.preview;
+  settings_ = {.view = preview.view, .exposure = preview.exposure, .tonemap = preview.tonemap,
+               .background = preview.background, .backgroundColor = preview.backgroundColor};
+  const int divisor = request.dragging && smoothedCost_ > kSlowMilliseconds ? 2 : 1;
+  const glm::ivec2 size = glm::max(request.size / divisor, glm::ivec2(1));
+  views_.clear();
+  FrameResult result;
+  if (scene.comparison) {
+    result.layout = comparisonLayout(request.size, scene.cells.rows(), scene.cells.columns(), request.scale);
+    if (scene.cells.rows() > 0 && scene.cells.columns() > 0) views_ = comparisonViews(scene.cells, result.layout.grid);
+    for (View& view : views_) view.rectangle /= divisor;
+  } else {
+    views_.push_back({&scene.scene, preview.orbit.camera(scene.radius + glm::length(scene.center - preview.orbit.target)),
+                      {0, 0, size.x, size.y}});
+  }
+  result.serial = request.serial;
+  result.texture = renderer.drawToTexture(views_, size, settings_);
+  result.size = size;
+  result.layoutSize = request.size;
+  result.comparison = scene.comparison;
+  result.rowTitles = scene.cells.rowTitles;
+  result.columnTitles = scene.cells.columnTitles;
+  result.center = scene.center;
+  result.radius = scene.radius;
+  result.subject = scene.subject;
+  result.problems = scene.problems;
+  result.problems.insert(result.problems.end(), renderer.problems().begin(), renderer.problems().end());
+  result.graphOk = scene.graphOk;
+  result.code = scene.code;
+  result.stats = scene.stats;
+  result.statistics = renderer.statistics();
+  result.samples = 1;
+  result.milliseconds = since(start);
+  if (divisor == 1) smoothedCost_ = smoothedCost_ == 0 ? 0 : 0.5 * (smoothedCost_ + result.milliseconds);
+  if (smoothedCost_ == 0 && divisor == 1) smoothedCost_ = 1;  // the first picture pays for compiling: not its cost
+  last_ = result;
+  publish(std::move(result));
+}
+
+bool RenderThread::refine(Renderer& renderer, PreviewScene&) {
+  const int most = context_->info().software ? kSamplesInSoftware : kSamples;
+  // What is dragged, or was drawn small, waits for the whole picture.
+  if (current_.dragging || last_.samples >= most) return false;
+  const int sample = last_.samples;
+  last_.texture = renderer.refineTexture(views_, last_.size, settings_, sample);
+  ++last_.samples;
+  publish(last_);
+  return last_.samples < most;
+}
+
+}  // namespace glint

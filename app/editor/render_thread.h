@@ -1,0 +1,93 @@
+// Draws the preview on a thread and a context of its own, so that the window never waits for a compile, a load or a
+// frame. The latest request wins; the last good picture stays until the next is whole.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/editor/preview_scene.h"
+
+namespace glint {
+
+// A finished picture and what was found while making it.
+struct FrameResult {
+  uint64_t serial = 0;              // of its request; 0: nothing yet
+  unsigned texture = 0;             // row 0 at the bottom; display-referred
+  glm::ivec2 size{0};
+  bool comparison = false;
+  ComparisonLayout layout;          // in pixels of the request's size
+  glm::ivec2 layoutSize{0};
+  std::vector<std::string> rowTitles, columnTitles;
+  glm::vec3 center{0};
+  float radius = 1;
+  std::string subject;
+  Diagnostics problems;
+  bool graphOk = true;
+  std::string code;
+  CompileStats stats;
+  Renderer::Statistics statistics;
+  int samples = 0;                  // averaged so far
+  double milliseconds = 0;          // from the request's start to the picture
+};
+
+class RenderThread {
+ public:
+  // `shared` shares objects with the window's context and is not current anywhere. `wake` is called from the thread
+  // when there is something new to show.
+  RenderThread(std::unique_ptr<gl::Context> shared, const NodeRegistry&, const FunctionLibrary&,
+               std::function<void()> wake);
+  ~RenderThread();
+  RenderThread(const RenderThread&) = delete;
+
+  void post(FrameRequest);
+
+  // On the window's thread: takes the newest picture; true when it is another than before. Its texture stays as it is
+  // until the next one has been taken.
+  bool take();
+  bool hasFinished() const;                   // take() would
+  const FrameResult& shown() const { return shown_; }
+
+  struct Progress {
+    std::string what;
+    double fraction = 0;
+  };
+  std::optional<Progress> progress() const;   // of long work that is going on
+  bool working() const;                       // a request is waiting or being drawn (refinement does not count)
+  bool settled() const;                       // nothing left to do, refinement included, and all of it taken
+
+ private:
+  void run();
+  void draw(Renderer&, PreviewScene&, const FrameRequest&);
+  bool refine(Renderer&, PreviewScene&);
+  void publish(FrameResult);
+
+  std::unique_ptr<gl::Context> context_;
+  const NodeRegistry& nodes_;
+  const FunctionLibrary& functions_;
+  std::function<void()> wake_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<FrameRequest> pending_;
+  std::optional<FrameResult> finished_;       // not yet taken
+  std::optional<Progress> progress_;
+  bool stop_ = false, busy_ = false, refining_ = false;
+
+  FrameResult shown_;                         // the window's
+
+  // The render thread's own.
+  FrameRequest current_;
+  FrameResult last_;
+  std::vector<View> views_;
+  RenderSettings settings_;
+  uint64_t modelsRevision_ = 0;
+  double smoothedCost_ = 0;                   // of a whole picture, ms
+  std::thread thread_;
+};
+
+}  // namespace glint

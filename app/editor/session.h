@@ -1,0 +1,26 @@
+// What the editor remembers from one day to the next: layout, recent files, the preview, the window's size.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/base/diagnostic.h"
+#include "materials/base/json.h"
+
+namespace glint {
+
+struct Session {
+  std::vector<std::string> recent;      // newest first, at most 10
+  std::string folder;                   // of the last file dialog
+  Json layout;                          // Layout::toJson(); null: the standard one
+  Json preview;                         // previewJson(); null: the standard one
+  int width = 1600, height = 960;       // of the window, in screen coordinates
+
+  void addRecent(const std::filesystem::path&);
+  // A missing or damaged file gives the defaults.
+  static Session read(const std::filesystem::path& file);
+  Diagnostics write(const std::filesystem::path& file) const;
+};
+
+}  // namespace glint

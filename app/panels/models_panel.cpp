@@ -1,0 +1,70 @@
+// The shading models there are: which are compared, what each claims, where its file lies and what is wrong with it.
+#include <algorithm>
+
+#include "app/editor/editor.h"
+#include "app/editor/theme.h"
+#include "app/editor/ui.h"
+#include "app/panels/panel.h"
+
+namespace glint {
+namespace {
+
+class ModelsPanel final : public Panel {
+ public:
+  void draw(Editor& editor) override {
+    const PanelBody body;
+    Document& document = editor.document();
+    ui::textDim("Ticked models are the rows of the comparison.");
+    ImGui::Dummy({0, theme::px(2)});
+    for (const ModelPtr& model : editor.models().all()) {
+      ImGui::PushID(model->id.c_str());
+      Preview preview = document.preview();
+      auto& rows = preview.models;
+      bool compared = std::find(rows.begin(), rows.end(), model->id) != rows.end();
+      if (ui::checkbox(model->id, compared)) {
+        if (compared) rows.push_back(model->id);
+        else std::erase(rows, model->id);
+        document.setPreview((compared ? "Compare " : "Leave out ") + model->title, preview);
+      }
+      ImGui::SameLine();
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const float size = ImGui::GetFontSize();
+      const auto& c = model->color;
+      ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + theme::px(5)}, {at.x + size * 0.8f, at.y + theme::px(5) + size * 0.8f},
+                                                ImGui::ColorConvertFloat4ToU32({c[0], c[1], c[2], 1}), theme::px(2));
+      ImGui::Dummy({size * 0.9f, size});
+      ImGui::SameLine();
+      const bool used = document.material().model == model->id;
+      if (ui::row("row " + model->id, model->title, used ? "this material\u2019s" : model->id, used)) open_ = open_ == model->id ? "" : model->id;
+      ui::tooltip(model->doc);
+      if (open_ == model->id) details(editor, *model);
+      ImGui::PopID();
+    }
+    const Diagnostics& problems = editor.models().problems();
+    if (problems.empty()) return;
+    ImGui::Dummy({0, theme::px(4)});
+    for (const Diagnostic& d : problems) ui::diagnostic(d);
+  }
+
+ private:
+  void details(Editor& editor, const ShadingModel& model) {
+    ImGui::Indent();
+    ui::textDim(model.doc);
+    std::string claims;
+    if (model.claims.reciprocal) claims += "reciprocal";
+    if (model.claims.energyConserving) claims += std::string(claims.empty() ? "" : ", ") + "conserves energy";
+    ui::textSmall("claims: " + (claims.empty() ? "nothing" : claims));
+    for (const std::string& cite : model.cite) ui::textSmall(cite);
+    ui::textSmall(model.file.string());
+    if (ui::button("Use for this material"))
+      editor.refused(editor.document().edit("Model " + model.id, [&](GraphEditor& graph) { return graph.setModel(model.id); }));
+    ImGui::Unindent();
+  }
+  std::string open_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeModelsPanel() { return std::make_unique<ModelsPanel>(); }
+
+}  // namespace glint

@@ -1,0 +1,247 @@
+// The picture: sphere rows or a mesh, and the camera in the user's hand.
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/editor.h"
+#include "app/editor/keys.h"
+#include "app/editor/theme.h"
+#include "app/editor/ui.h"
+#include "app/panels/panel.h"
+#include "materials/attributes.h"
+#include "renderer/environment.h"
+#include "renderer/mesh.h"
+
+namespace glint {
+namespace {
+
+class ViewportPanel final : public Panel {
+ public:
+  void draw(Editor&) override;
+
+ private:
+  enum class Drag { None, Orbit, Pan, Environment };
+  void toolbar(Editor&);
+  void picture(Editor&, ImVec2 low, ImVec2 size);
+  void titles(const FrameResult&, ImVec2 low, ImVec2 size);
+  void control(Editor&, ImVec2 size, bool hovered);
+  Drag drag_ = Drag::None;
+};
+
+void ViewportPanel::draw(Editor& editor) {
+  toolbar(editor);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImVec2 size = ImGui::GetContentRegionAvail();
+  size = {std::max(1.0f, std::floor(size.x)), std::max(1.0f, std::floor(size.y))};
+  editor.setViewportSize({int(size.x), int(size.y)});
+  picture(editor, low, size);
+  ImGui::InvisibleButton("view", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                                           ImGuiButtonFlags_MouseButtonMiddle);
+  ui::mark("view");
+  control(editor, size, ImGui::IsItemHovered());
+}
+
+void ViewportPanel::toolbar(Editor& editor) {
+  Document& document = editor.document();
+  Preview preview = document.preview();
+  const float height = theme::px(34);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + ImGui::GetContentRegionAvail().x, low.y + height}, theme::kPanel);
+  ImGui::SetCursorScreenPos({low.x + theme::px(8), low.y + (height - ImGui::GetFrameHeight()) / 2});
+  static const std::string subjects[] = {"Comparison", "Mesh"};
+  int subject = preview.subject == Preview::Subject::Mesh;
+  ImGui::PushItemWidth(theme::px(170));
+  if (ui::segments("subject", subject, subjects)) {
+    preview.subject = subject ? Preview::Subject::Mesh : Preview::Subject::Comparison;
+    document.setPreview(subject ? "Show mesh" : "Show comparison", preview);
+  }
+  ImGui::PopItemWidth();
+  ImGui::SameLine(0, theme::px(12));
+  if (preview.subject == Preview::Subject::Comparison) {
+    static const std::string columns[] = {"Materials", "Sweep"};
+    int column = preview.columns == Preview::Columns::Sweep;
+    ImGui::PushItemWidth(theme::px(150));
+    if (ui::segments("columns", column, columns)) {
+      preview.columns = column ? Preview::Columns::Sweep : Preview::Columns::Materials;
+      document.setPreview(column ? "Sweep a parameter" : "Compare materials", preview);
+    }
+    ImGui::PopItemWidth();
+    if (preview.columns == Preview::Columns::Sweep) {
+      ImGui::SameLine(0, theme::px(8));
+      ImGui::SetNextItemWidth(theme::px(120));
+      if (ImGui::BeginCombo("##sweep", preview.sweepName.c_str())) {
+        std::vector<std::string> names;
+        for (const Attribute& attribute : attributes())
+          if (attribute.standard.type == ValueType::Float) names.emplace_back(attribute.name);
+        for (const std::string& id : preview.models)
+          if (const ModelPtr model = editor.models().find(id))
+            for (const ModelParameter& parameter : model->parameters)
+              if (std::find(names.begin(), names.end(), parameter.name) == names.end()) names.push_back(parameter.name);
+        for (const std::string& name : names)
+          if (ImGui::Selectable(name.c_str(), name == preview.sweepName)) {
+            preview.sweepName = name;
+            if (const Attribute* attribute = findAttribute(name)) {
+              preview.sweepFrom = attribute->minimum;
+              preview.sweepTo = attribute->maximum;
+            }
+            for (const std::string& id : preview.models)
+              if (const ModelPtr model = editor.models().find(id))
+                if (const ModelParameter* parameter = model->parameter(name)) {
+                  preview.sweepFrom = parameter->minimum;
+                  preview.sweepTo = parameter->maximum;
+                }
+            document.setPreview("Sweep " + name, preview);
+          }
+        ImGui::EndCombo();
+      }
+      ui::mark("sweep");
+    }
+  } else {
+    std::string shown = preview.mesh;
+    if (const size_t slash = shown.find_last_of('/'); slash != std::string::npos) shown = shown.substr(slash + 1);
+    ImGui::SetNextItemWidth(theme::px(170));
+    if (ImGui::BeginCombo("##mesh", shown.c_str())) {
+      for (const std::string& name : shapeNames())
+        if (ImGui::Selectable(name.c_str(), name == preview.mesh)) {
+          preview.mesh = name;
+          document.setPreview("Show " + name, preview);
+        }
+      ImGui::Separator();
+      if (ImGui::Selectable("Load a glTF file\u2026")) editor.browseMesh();
+      ImGui::EndCombo();
+    }
+    ui::mark("mesh");
+  }
+
+  // On the right: what is shown of it, and how bright.
+  const ViewMode* mode = findViewMode(preview.view);
+  const float width = theme::px(150), right = low.x + ImGui::GetContentRegionMax().x;
+  const float x = right - 2 * width - theme::px(16);
+  ImGui::SameLine();
+  if (x < ImGui::GetCursorScreenPos().x) return ImGui::SetCursorScreenPos({low.x, low.y + height});
+  ImGui::SetCursorScreenPos({x, low.y + (height - ImGui::GetFrameHeight()) / 2});
+  ImGui::SetNextItemWidth(width);
+  char format[32];
+  std::snprintf(format, sizeof format, "exposure %%+.2f EV");
+  if (ImGui::DragFloat("##exposure", &preview.exposure, 0.02f, -16, 16, format)) document.setPreview("Exposure", preview);
+  ui::mark("exposure");
+  ui::tooltip("Drag; double-click or Ctrl+click to type");
+  ImGui::SameLine(0, theme::px(8));
+  ImGui::SetNextItemWidth(width);
+  if (ImGui::BeginCombo("##viewmode", mode ? mode->title : "Lit", ImGuiComboFlags_HeightLarge)) {
+    for (const ViewMode& one : viewModes()) {
+      if (ImGui::Selectable(one.title, preview.view == one.id)) {
+        preview.view = one.id;
+        document.setPreview(std::string("View ") + one.title, preview);
+      }
+      ui::tooltip(one.doc);
+    }
+    ImGui::EndCombo();
+  }
+  ui::mark("viewmode");
+  ImGui::SetCursorScreenPos({low.x, low.y + height});
+}
+
+void ViewportPanel::picture(Editor& editor, ImVec2 low, ImVec2 size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 high = {low.x + size.x, low.y + size.y};
+  list.AddRectFilled(low, high, theme::grey(12));
+  const FrameResult& frame = editor.shown();
+  if (frame.texture) {
+    // While the panel is being resized the last picture keeps its size, so that nothing is squeezed.
+    const ImVec2 end = {low.x + float(frame.layoutSize.x), low.y + float(frame.layoutSize.y)};
+    list.PushClipRect(low, high, true);
+    list.AddImage(imguiTexture(frame.texture), low, end, {0, 1}, {1, 0});
+    if (frame.comparison) titles(frame, low, size);
+    list.PopClipRect();
+  }
+  const auto progress = editor.render().progress();
+  if (!frame.texture || (progress && editor.render().working() && progress->fraction > 0)) {
+    const std::string what = progress ? progress->what : "Starting the renderer";
+    const ImVec2 text = ImGui::CalcTextSize(what.c_str());
+    const ImVec2 at = {low.x + theme::px(14), high.y - text.y - theme::px(20)};
+    list.AddRectFilled({at.x - theme::px(8), at.y - theme::px(6)}, {at.x + text.x + theme::px(8), at.y + text.y + theme::px(10)},
+                       theme::grey(20, 220), theme::px(4));
+    list.AddText(at, theme::kText, what.c_str());
+    const float y = at.y + text.y + theme::px(5);
+    const float fraction = progress ? float(std::clamp(progress->fraction, 0.0, 1.0)) : 0;
+    list.AddRectFilled({at.x, y}, {at.x + text.x, y + theme::px(2)}, theme::grey(60));
+    list.AddRectFilled({at.x, y}, {at.x + text.x * fraction, y + theme::px(2)}, theme::kAccent);
+  }
+}
+
+void ViewportPanel::titles(const FrameResult& frame, ImVec2 low, ImVec2) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const CellGrid& grid = frame.layout.grid;
+  const float height = float(frame.layoutSize.y);
+  ImFont* bold = ui::fonts().bold();
+  for (int column = 0; column < grid.columns && column < int(frame.columnTitles.size()); ++column) {
+    const glm::ivec4 cell = grid.rectangle(0, column);
+    const std::string& title = frame.columnTitles[size_t(column)];
+    const ImVec2 text = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, title.c_str());
+    const float x = low.x + float(cell.x) + std::max(0.0f, std::round((float(cell.z) - text.x) / 2));
+    const float y = low.y + height - float(cell.y + cell.w) - text.y - theme::px(7);
+    list.PushClipRect({low.x + float(cell.x), y - 4}, {low.x + float(cell.x + cell.z), y + text.y + 4}, true);
+    list.AddText(bold, bold->FontSize, {x, std::round(y)}, theme::kText, title.c_str());
+    list.PopClipRect();
+  }
+  for (int row = 0; row < grid.rows && row < int(frame.rowTitles.size()); ++row) {
+    const glm::ivec4 cell = grid.rectangle(row, 0);
+    const std::string& title = frame.rowTitles[size_t(row)];
+    const float room = frame.layout.titleWidth - theme::px(14);
+    const ImVec2 text = ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, room, title.c_str());
+    const ImVec2 at = {std::round(low.x + float(cell.x) - theme::px(10) - text.x),
+                       std::round(low.y + height - float(cell.y) - float(cell.w) / 2 - text.y / 2)};
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, theme::grey(200), title.c_str(), nullptr, room);
+  }
+}
+
+void ViewportPanel::control(Editor& editor, ImVec2 size, bool hovered) {
+  Document& document = editor.document();
+  const ImGuiIO& io = ImGui::GetIO();
+  const Preview& preview = document.preview();
+  Orbit orbit = preview.subject == Preview::Subject::Mesh ? preview.orbit : preview.comparisonOrbit;
+  if (hovered && drag_ == Drag::None) {
+    const bool left = ImGui::IsMouseClicked(0), right = ImGui::IsMouseClicked(1), middle = ImGui::IsMouseClicked(2);
+    if ((right && io.KeyShift) || (left && io.KeyCtrl)) drag_ = Drag::Environment;
+    else if (right || (middle && io.KeyShift) || (left && io.KeyShift)) drag_ = Drag::Pan;
+    else if (left || middle) drag_ = Drag::Orbit;
+  }
+  if (!ImGui::IsAnyMouseDown()) drag_ = Drag::None;
+  const ImVec2 moved = io.MouseDelta;
+  if (drag_ != Drag::None && (moved.x != 0 || moved.y != 0)) {
+    if (drag_ == Drag::Orbit) {
+      orbit.yaw -= moved.x * 0.4f / theme::scale();
+      orbit.pitch = std::clamp(orbit.pitch + moved.y * 0.4f / theme::scale(), -89.0f, 89.0f);
+      document.setOrbit(orbit);
+    } else if (drag_ == Drag::Pan) {
+      const Camera camera = orbit.camera(1);
+      const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+      const glm::vec3 side = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(side, forward);
+      const float metres = 2 * orbit.distance * std::tan(glm::radians(orbit.fov) / 2) / std::max(1.0f, size.y);
+      orbit.target += (side * -moved.x + up * moved.y) * metres;
+      document.setOrbit(orbit);
+    } else {
+      Preview turned = preview;
+      turned.environmentRotation = std::remainder(turned.environmentRotation + moved.x * 0.5f / theme::scale(), 360.0f);
+      document.setPreview("Turn environment", turned);
+    }
+  }
+  if (hovered && io.MouseWheel != 0) {
+    if (io.KeyCtrl) {
+      // The subject keeps its size while the perspective changes.
+      const float before = std::tan(glm::radians(orbit.fov) / 2);
+      orbit.fov = std::clamp(orbit.fov * std::pow(0.92f, io.MouseWheel), 4.0f, 120.0f);
+      orbit.distance *= before / std::tan(glm::radians(orbit.fov) / 2);
+    } else {
+      orbit.distance = std::clamp(orbit.distance * std::pow(0.9f, io.MouseWheel), 1e-3f, 1e5f);
+    }
+    document.setOrbit(orbit);
+  }
+  if (hovered && shortcut(kNoModifiers, Key::F)) editor.frameSubject();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> makeViewportPanel() { return std::make_unique<ViewportPanel>(); }
+
+}  // namespace glint
