@@ -143,6 +143,7 @@ Result<Parsed> parse(std::vector<std::string> words) {
                "`glint` alone, or with a file, opens the editor.", "glint");
   app.set_version_flag("--version", "glint " GLINT_VERSION);
   app.allow_extras();
+  app.require_subcommand(0, 1);  // a later word that is also a command's name is an argument
   app.footer("`glint COMMAND --help` has each command's options and examples.\n\nExamples:\n"
              "  glint\n"
              "  glint render helmet.glb --env studio -o helmet.png\n"

@@ -41,8 +41,8 @@ Result<MaterialPtr> Libraries::material(const std::string& nameOrFile, const std
   auto loaded = loadMaterial(nameOrFile, nodes, &warnings);
   if (loaded) return MaterialPtr(std::make_shared<Material>(std::move(*loaded)));
   Diagnostics all = loaded.diagnostics();
-  for (Diagnostic& d : all)
-    if (d.place == nameOrFile && !std::filesystem::path(nameOrFile).has_extension()) d.place = place;
+  if (!std::filesystem::path(nameOrFile).has_extension())
+    for (Diagnostic& d : all) d.place = place;
   return all;
 }
 

@@ -1,0 +1,145 @@
+// glint render, compare and bench by the front door.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/command.h"
+#include "renderer/image_io.h"
+#include "tests/support/program.h"
+
+namespace glint {
+namespace {
+
+using testing_support::filesIn;
+using testing_support::glint;
+using testing_support::scratch;
+
+TEST(Render, WritesAPictureThatSaysWhatMadeIt) {
+  const auto ran = glint({"render", "--size", "48x32", "--samples", "1", "--env", "none", "--light", "directional:dir=0/0/1,lux=3.14159265",
+                          "--set", "specular=0", "-o", "out.png", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  const auto document = ran.json();
+  EXPECT_EQ(document.value("file", ""), "out.png");
+  EXPECT_EQ(document.value("lights", 0), 1);
+  EXPECT_EQ(document.value("invalidPixels", -1), 0);
+  const auto image = readImage8(scratch() / "out.png");
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->width, 48);
+  EXPECT_EQ(image->height, 32);
+  const auto notes = readImageNotes(scratch() / "out.png");
+  ASSERT_TRUE(notes);
+  EXPECT_EQ(notes->at("Command").rfind("glint render --size 48x32", 0), 0u);
+  EXPECT_EQ(notes->at("Software"), "Glint " GLINT_VERSION);
+  EXPECT_FALSE(notes->at("OpenGL renderer").empty());
+  EXPECT_TRUE(notes->count("Model ggx"));
+  EXPECT_EQ(filesIn(scratch()), std::vector<std::string>{"out.png"});
+}
+
+// A white Lambert surface that faces pi lux shows 1: the unit of light, through the whole program.
+TEST(Render, LinearPicturesAreInNits) {
+  const auto ran = glint({"render", "--mesh", "plane", "--camera", "eye=0/0/3,target=0/0/0", "--size", "16x16", "--samples", "1", "--env", "none",
+                          "--light", "directional:dir=0/0/1,lux=3.14159265", "--set", "specular=0", "--set", "baseColor=0.5/0.25/1", "-o", "out.exr"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto image = readImageF(scratch() / "out.exr");
+  ASSERT_TRUE(image);
+  // Schlick's Fresnel leaves something at grazing angles only; this is head on.
+  EXPECT_NEAR(image->at(8, 8)[0], 0.5, 0.01);
+  EXPECT_NEAR(image->at(8, 8)[1], 0.25, 0.01);
+  EXPECT_NEAR(image->at(8, 8)[2], 1.0, 0.02);
+}
+
+TEST(Render, BadInputLeavesNothingBehind) {
+  std::ofstream(scratch() / "broken.glb") << "glTF";
+  std::ofstream(scratch() / "broken.json") << "{ \"glint\": \"material\", ";
+  std::ofstream(scratch() / "text.hdr") << "no radiance";
+  std::ofstream(scratch() / "notes.txt") << "";
+  const auto before = filesIn(scratch());
+  const std::string png = "out.png";
+  EXPECT_BAD_INPUT(glint({"render"}), "--output", "is missing");
+  EXPECT_BAD_INPUT(glint({"render", "none.glb", "-o", png}), "none.glb", "no such file");
+  EXPECT_BAD_INPUT(glint({"render", "notes.txt", "-o", png}), "notes.txt", ".glb, .gltf or .json");
+  EXPECT_BAD_INPUT(glint({"render", "--env", "text.hdr", "-o", png}), "text.hdr", "");
+  EXPECT_BAD_INPUT(glint({"render", "--env", "stdio", "-o", png}), "stdio", "did you mean 'studio'?");
+  EXPECT_BAD_INPUT(glint({"render", "--mesh", "spere", "-o", png}), "--mesh", "did you mean 'sphere'?");
+  EXPECT_BAD_INPUT(glint({"render", "--material", "aluminum", "-o", png}), "--material", "did you mean 'aluminium'?");
+  EXPECT_BAD_INPUT(glint({"render", "--model", "burly", "-o", png}), "--model", "did you mean 'burley'?");
+  EXPECT_BAD_INPUT(glint({"render", "--model", "burley:gama=2", "-o", png}), "--set", "did you mean 'gamma'?");
+  EXPECT_BAD_INPUT(glint({"render", "--set", "roughnes=0.2", "-o", png}), "--set", "did you mean 'roughness'?");
+  EXPECT_BAD_INPUT(glint({"render", "--set", "roughness=shiny", "-o", png}), "--set", "");
+  EXPECT_BAD_INPUT(glint({"render", "--size", "0x0", "-o", png}), "--size", "1 to 8192");
+  EXPECT_BAD_INPUT(glint({"render", "--size", "100000x100000", "-o", png}), "--size", "1 to 8192");
+  EXPECT_BAD_INPUT(glint({"render", "-o", "out.jpg"}), "--output", ".png");
+  EXPECT_BAD_INPUT(glint({"render", "-o", "nowhere/out.png"}), "--output", "no folder 'nowhere'");
+  for (const char* file : {"broken.glb", "broken.json"}) {
+    const auto ran = glint({"render", file, "-o", png});
+    EXPECT_EQ(ran.code, 2) << file;
+    EXPECT_EQ(ran.err.rfind(std::string("glint: error: ") + file, 0), 0u) << ran.err;
+  }
+  EXPECT_EQ(filesIn(scratch()), before);
+}
+
+TEST(Render, ABrokenPluginIsNamedWithItsLine) {
+  std::filesystem::create_directories(scratch() / "models");
+  std::ofstream(scratch() / "models/broken.glsl") << "/*glint\n{ \"id\": \"broken\", \"title\": \"Broken\", \"doc\": \"d\", \"color\": [1, 0, 0],\n"
+                                                     "  \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\", \"diffuse\": \"Lambert\"} }\n*/\n"
+                                                     "float D(Shading s, Parameters p) { return nonsense; }\n";
+  const auto ran = glint({"render", "--models-dir", "models", "--model", "broken", "--size", "16x16", "--samples", "1", "-o", "out.png"});
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_NE(ran.err.find("broken.glsl:5"), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch() / "out.png"));
+}
+
+TEST(Compare, SheetReportAndNumbers) {
+  const auto ran = glint({"compare", "--models", "ggx,burley:gamma=2", "--against", "ggx", "--sweep", "roughness=0.2..0.6:2", "--cell", "32", "--samples",
+                          "1", "-o", "sheet.png", "--report", "page.html", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto document = ran.json();
+  ASSERT_EQ(document["differences"].size(), 2u);
+  EXPECT_EQ(document["columns"], nlohmann::json({"0.2", "0.6"}));
+  for (const auto& cell : document["differences"]) EXPECT_LT(cell["flip"].get<double>(), 0.2);
+  EXPECT_EQ(filesIn(scratch()), (std::vector<std::string>{"page.html", "sheet.png"}));
+}
+
+// The cells of one picture are what each would be alone: a model against itself has no difference.
+TEST(Compare, AModelDoesNotDifferFromItself) {
+  const auto ran = glint({"compare", "--models", "ggx,ggx:", "--materials", "black", "-o", "sheet.png"});
+  EXPECT_EQ(ran.code, 2);
+  const auto same = glint({"compare", "--models", "burley:gamma=2,burley:gamma=2.0", "--against", "burley:gamma=2", "--sweep", "roughness=0.3..0.7:2", "--cell",
+                           "24", "--samples", "1", "-o", "sheet.png", "--json"});
+  ASSERT_EQ(same.code, 0) << same.err;
+  for (const auto& cell : same.json()["differences"]) EXPECT_EQ(cell["max"].get<double>(), 0);
+}
+
+TEST(Compare, BadInput) {
+  const std::string png = "out.png";
+  EXPECT_BAD_INPUT(glint({"compare", "-o", png}), "--models", "is missing");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx,burly", "-o", png}), "--models", "did you mean 'burley'?");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--materials", "rubber,blck", "-o", png}), "--materials", "did you mean 'black'?");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--sweep", "roughnes=0..1:3", "-o", png}), "--sweep", "did you mean 'roughness'?");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--sweep", "roughness=0..1", "-o", png}), "--sweep", "NAME=FROM..TO:COUNT");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--sweep", "roughness=0..1:3", "--materials", "black", "-o", png}), "--materials", "either");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--cell", "0", "-o", png}), "--cell", "16 to 2048");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--cell", "2048", "-o", png}), "--cell", "at most 8192");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--against", "gx", "-o", png}), "--against", "did you mean 'ggx'?");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--against", "ggx", "-o", "out.exr"}), "--output", ".png");
+  EXPECT_TRUE(filesIn(scratch()).empty());
+}
+
+TEST(Bench, EveryCaseRunsAndIsOneDocument) {
+  const auto ran = glint({"bench", "--quick", "--json", "calibrate", "frame.p16", "models", "graph.compile.10", "edit.parameter", "startup.warm"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto document = ran.json();
+  ASSERT_TRUE(document.is_object()) << ran.out;
+  EXPECT_FALSE(document.value("renderer", "").empty());
+  ASSERT_EQ(document["cases"].size(), 6u);
+  for (const auto& c : document["cases"]) {
+    EXPECT_GT(c["median"].get<double>(), 0) << c;
+    EXPECT_LE(c["min"].get<double>(), c["median"].get<double>());
+    EXPECT_GE(c["n"].get<int>(), 1);
+  }
+  EXPECT_BAD_INPUT(glint({"bench", "frame.p17"}), "frame.p17", "did you mean 'frame.p16'?");
+}
+
+}  // namespace
+}  // namespace glint
