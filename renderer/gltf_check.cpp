@@ -629,7 +629,12 @@ Result<CheckedGltf> checkGltf(std::string_view bytes, const fs::path& file, Diag
       return error(place, bytes.empty() ? "is empty" : "is not a glTF (it starts with neither 'glTF' nor '{')", "name a .glb or .gltf file");
   }
   Result<Json> root = parseJson(chunks.json, place, 1, kJsonLimits);
-  if (!root) return root.diagnostics();
+  if (!root) {
+    Diagnostics faults = root.diagnostics();
+    for (Diagnostic& d : faults)
+      if (d.hint.empty()) d.hint = "export the file again";
+    return faults;
+  }
   Diagnostics faults = Checker(*root, file, checked.binary, chunks.binBytes, checked, warnings).run();
   if (!faults.empty()) return faults;
   return checked;

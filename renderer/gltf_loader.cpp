@@ -54,7 +54,7 @@ bool keepEncoded(tinygltf::Image* image, const int, std::string*, std::string*, 
   return true;
 }
 
-Result<tinygltf::Model> parse(const std::string& bytes, const fs::path& path, CheckedGltf& checked) {
+Result<tinygltf::Model> parse(std::string_view bytes, const fs::path& path, CheckedGltf& checked) {
   tinygltf::TinyGLTF loader;
   tinygltf::Model model;
   std::string problems, warnings;
@@ -229,7 +229,7 @@ void Loader::readPictures() {
   parallelFor(jobs.size(), [&](size_t i) {
     const auto& encoded = model_.images[size_t(jobs[i].index)].image;
     jobs[i].result = decodeImage8({reinterpret_cast<const char*>(encoded.data()), encoded.size()}, place_);
-  });
+  }, pixels > 100'000);
   for (Job& job : jobs) {
     if (!job.result) {
       for (const Diagnostic& d : job.result.diagnostics()) fault(fmt::format("images[{}]", job.index), d.what, d.hint.c_str());
@@ -291,7 +291,7 @@ void Loader::readMeshes() {
     const auto* material = at(file_.materials, primitive.material);
     jobs[i].result = gltfMesh(model_, primitive, material ? material->normal.texCoord : 0,
                               fmt::format("{}: meshes[{}].primitives[{}]", place_, jobs[i].mesh, jobs[i].primitive));
-  });
+  }, vertices > 5'000);
   for (Job& job : jobs) {
     if (!job.result) {
       problems.insert(problems.end(), job.result.diagnostics().begin(), job.result.diagnostics().end());
@@ -386,9 +386,13 @@ void Loader::readNodes() {
 Result<GltfFile> loadGltf(const fs::path& path, Diagnostics& warnings) {
   const Result<std::string> bytes = readFile(path);
   if (!bytes) return bytes.diagnostics();
-  Result<CheckedGltf> checked = checkGltf(*bytes, path, warnings);
+  return parseGltf(*bytes, path, warnings);
+}
+
+Result<GltfFile> parseGltf(std::string_view bytes, const fs::path& path, Diagnostics& warnings) {
+  Result<CheckedGltf> checked = checkGltf(bytes, path, warnings);
   if (!checked) return checked.diagnostics();
-  Result<tinygltf::Model> model = parse(*bytes, path, *checked);
+  Result<tinygltf::Model> model = parse(bytes, path, *checked);
   if (!model) return model.diagnostics();
 
   GltfFile file;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "materials/base/diagnostic.h"
@@ -65,5 +66,7 @@ inline constexpr uint64_t kMostGltfPixels = uint64_t{1} << 28;
 // it names are read only from its own folder and those below. Warnings: extensions that are not read, alpha
 // blending, which is drawn masked or opaque.
 Result<GltfFile> loadGltf(const std::filesystem::path&, Diagnostics& warnings);
+// The same for bytes that are there already; the path names them, and its folder is where other files are sought.
+Result<GltfFile> parseGltf(std::string_view bytes, const std::filesystem::path&, Diagnostics& warnings);
 
 }  // namespace glint
