@@ -52,6 +52,7 @@ std::vector<SettingInfo> textureSettings() {
       choice("colorSpace", "Colour space", {"srgb", "linear"}, "srgb",
              "srgb for colours; linear for data such as roughness, masks and normals"),
       choice("wrap", "Wrap", {"repeat", "clamp", "mirror"}, "repeat", "What lies outside 0..1"),
+      choice("wrapV", "Wrap V", {"same", "repeat", "clamp", "mirror"}, "same", "Where it differs up and down from across"),
       choice("filter", "Filter", {"linear", "nearest"}, "linear", "Between texels"),
   };
 }

@@ -270,7 +270,12 @@ class Compiler {
     slot.node = v.name();
     slot.colorSpace = settingText(node, "colorSpace", "srgb") == "linear" ? ColorSpace::Linear : ColorSpace::sRGB;
     const std::string wrap = settingText(node, "wrap", "repeat");
-    slot.wrapS = slot.wrapT = wrap == "clamp" ? Wrap::Clamp : wrap == "mirror" ? Wrap::Mirror : Wrap::Repeat;
+    const std::string wrapV = settingText(node, "wrapV", "same");
+    const auto mode = [](const std::string& word) {
+      return word == "clamp" ? Wrap::Clamp : word == "mirror" ? Wrap::Mirror : Wrap::Repeat;
+    };
+    slot.wrapS = mode(wrap);
+    slot.wrapT = mode(wrapV == "same" ? wrap : wrapV);
     slot.filter = settingText(node, "filter", "linear") == "nearest" ? Filter::Nearest : Filter::Linear;
     const std::string file = settingText(node, "file");
     if (file.starts_with("gltf:")) {

@@ -160,6 +160,7 @@ class Builder {
     set(made, "file", Json::of(texture.name));
     if (space == ColorSpace::Linear) set(made, "colorSpace", Json::of("linear"));
     if (texture.wrapS != Wrap::Repeat) set(made, "wrap", Json::of(word(texture.wrapS)));
+    if (texture.wrapT != texture.wrapS) set(made, "wrapV", Json::of(word(texture.wrapT)));
     if (texture.filter == Filter::Nearest) set(made, "filter", Json::of("nearest"));
     if (at) wire(made, "uv", *at);
     samples_[key] = made;
