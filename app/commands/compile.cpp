@@ -97,7 +97,7 @@ int run(const Arguments& arguments) {
   if (!output.empty())
     if (const Diagnostics problems = writeFileAtomic(output, text); !problems.empty()) return badInput(problems);
   if (arguments.json)
-    fmt::print("{}\n", documentOf(*compiled, text, output).dump(2));
+    fmt::print("{}\n", documentOf(*compiled, text, output).dump(2, ' ', false, ordered_json::error_handler_t::replace));
   else if (output.empty())
     fmt::print("{}", text);
   if (arguments.has("stats") && !arguments.json) printStats(*compiled, text);

@@ -90,7 +90,7 @@ int run(const Arguments& arguments) {
   if (arguments.json) {
     ordered_json list = ordered_json::array();
     for (const NodeKind* kind : chosen) list.push_back(kindJson(*kind, *pins(*kind)));
-    fmt::print("{}\n", ordered_json{{"nodes", list}}.dump(2));
+    fmt::print("{}\n", ordered_json{{"nodes", list}}.dump(2, ' ', false, ordered_json::error_handler_t::replace));
     return kDone;
   }
   std::string category;
