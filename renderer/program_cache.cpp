@@ -4,14 +4,24 @@
 
 namespace glint {
 
+namespace {
+
+uint64_t requestHash(const ShaderText& text, uint64_t seed) {
+  uint64_t h = hashText(text.path, seed);
+  for (const std::string& define : text.defines) h = hashText(define, h + 1);
+  for (const auto& [name, insert] : text.inserts) h = hashText(insert, hashText(name, h));
+  return h;
+}
+
+}  // namespace
+
 Result<const gl::Program*> ProgramCache::get(const ShaderText& vertex, const ShaderText& fragment) {
-  const std::string vertexText = assembleShader(vertex), fragmentText = assembleShader(fragment);
-  const uint64_t key = hashText(fragmentText, hashText(vertexText));
+  const uint64_t key = requestHash(fragment, requestHash(vertex, 0));
   auto found = programs_.find(key);
   if (found == programs_.end())
     found = programs_
-                .emplace(key, gl::buildProgram(fragment.path, {{GL_VERTEX_SHADER, vertexText},
-                                                               {GL_FRAGMENT_SHADER, fragmentText}}))
+                .emplace(key, gl::buildProgram(fragment.path, {{GL_VERTEX_SHADER, assembleShader(vertex)},
+                                                               {GL_FRAGMENT_SHADER, assembleShader(fragment)}}))
                 .first;
   if (!found->second) return found->second.diagnostics();
   return &*found->second;

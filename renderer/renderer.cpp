@@ -23,6 +23,7 @@ enum class Output {
   Radiance,    // scene-referred, added up
 };
 
+constexpr size_t kMostPrograms = 512;   // a long session of editing graphs must not fill the memory
 constexpr int kMostGroups = 254;   // the stencil's values but 0, which is the background
 
 // Low-discrepancy offsets within a pixel (Halton 1960, bases 2 and 3), centred on 0; the first is the centre itself.
@@ -92,7 +93,7 @@ struct ReadyView {
 }  // namespace
 
 struct Renderer::State {
-  explicit State(const gl::Context& c) : context(c), lighting(programs, true) {
+  State() : lighting(programs, true) {
     tileArray = gl::createVertexArray();
     for (GLuint i = 0; i < 2; ++i) {
       glEnableVertexArrayAttrib(tileArray.id(), i);
@@ -128,10 +129,19 @@ struct Renderer::State {
 
   static ShaderText tileVertex() { return {"shaders/passes/tiles.vert", {}, {}}; }
 
+  void forgetPrograms() {
+    programs.forget();
+    shaders.clear();
+    verdicts.clear();
+  }
+
   // -- Preparation -------------------------------------------------------------------------------------------------
   void prepare(std::span<const View> views, const RenderSettings& settings, glm::vec2 jitter) {
     ready.clear();
     frame.clear();
+    meshes.forgetUnused();
+    textures.forgetUnused();
+    if (programs.size() > kMostPrograms) forgetPrograms();
     problems.clear();
     statistics = {};
     emissive = parameters = false;
@@ -201,9 +211,6 @@ struct Renderer::State {
   }
 
   const gl::Program* surfaceProgram(const CompiledMaterial& material) {
-    const auto key = std::make_pair(material.hash, (emissive ? 1 : 0) + (parameters ? 2 : 0) + (material.writesNormal ? 4 : 0) + (material.writesOpacityMask ? 8 : 0));
-    const auto found = surfacePrograms.find(key);
-    if (found != surfacePrograms.end()) return found->second;
     const auto program = programs.get({"shaders/passes/gbuffer.vert", {}, {}},
                                       {"shaders/passes/gbuffer.frag", surfaceDefines(material), {{"material", material.glsl}}});
     if (!program) {
@@ -212,7 +219,7 @@ struct Renderer::State {
                                "please report it with the material's file"));
       return nullptr;
     }
-    return surfacePrograms[key] = *program;
+    return *program;
   }
 
   void gbufferPass() {
@@ -364,13 +371,9 @@ struct Renderer::State {
   }
 
   const gl::Program& lightingProgram(const LightGroup& group, const std::vector<std::string>& defines) {
-    uint64_t key = group.setting.shader->hash;
-    for (const std::string& define : defines) key = hashText(define, key);
-    const auto found = lightingPrograms.find(key);
-    if (found != lightingPrograms.end()) return *found->second;
     const auto program = programs.get(tileVertex(), {"shaders/passes/lighting.frag", defines, {{"model", group.setting.shader->glsl}}});
     GLINT_CHECK(program.ok(), "{}", program.ok() ? "" : program.diagnostics()[0].text());
-    return *(lightingPrograms[key] = *program);
+    return **program;
   }
 
   // A plugin that never compiled shows as a flat magenta, which no light makes by itself.
@@ -528,7 +531,6 @@ struct Renderer::State {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
   }
 
-  const gl::Context& context;
   ProgramCache programs;
   EnvironmentLighting lighting;
   DeviceMeshes meshes;
@@ -549,11 +551,9 @@ struct Renderer::State {
   std::map<const ShadingModel*, std::shared_ptr<const ModelShader>> shaders;
   std::map<uint64_t, Diagnostics> verdicts;   // by the hash of a model's GLSL
   std::map<std::string, std::shared_ptr<const ModelShader>> lastGood;
-  std::map<std::pair<uint64_t, int>, const gl::Program*> surfacePrograms;
-  std::map<uint64_t, const gl::Program*> lightingPrograms;
 };
 
-Renderer::Renderer(const gl::Context& context) : state_(std::make_unique<State>(context)) {}
+Renderer::Renderer(const gl::Context&) : state_(std::make_unique<State>()) {}
 Renderer::~Renderer() = default;
 
 void Renderer::setProgress(Progress progress) { state_->lighting.setProgress(std::move(progress)); }
@@ -620,9 +620,6 @@ void Renderer::relight() {
   glFinish();
 }
 
-void Renderer::invalidateModels() {
-  state_->shaders.clear();
-  state_->verdicts.clear();
-}
+void Renderer::invalidateModels() { state_->forgetPrograms(); }
 
 }  // namespace glint

@@ -48,6 +48,7 @@ class Renderer {
  public:
   using Progress = std::function<void(const std::string& what, double fraction)>;
 
+  // The context must be current, then and in every call.
   explicit Renderer(const gl::Context&);
   ~Renderer();
   Renderer(const Renderer&) = delete;
