@@ -41,8 +41,8 @@ Result<MaterialPtr> Libraries::material(const std::string& nameOrFile, const std
   auto loaded = loadMaterial(nameOrFile, nodes, &warnings);
   if (loaded) return MaterialPtr(std::make_shared<Material>(std::move(*loaded)));
   Diagnostics all = loaded.diagnostics();
-  if (!std::filesystem::path(nameOrFile).has_extension())
-    for (Diagnostic& d : all) d.place = place;
+  for (Diagnostic& d : all)
+    if (d.place == fmt::format("material '{}'", nameOrFile)) d.place = place;
   return all;
 }
 
