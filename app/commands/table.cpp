@@ -7,6 +7,7 @@ extern const Command kBenchCommand;
 extern const Command kCompareCommand;
 extern const Command kCompileCommand;
 extern const Command kDiffCommand;
+extern const Command kEditCommand;
 extern const Command kInfoCommand;
 extern const Command kModelsCommand;
 extern const Command kNewModelCommand;
@@ -17,6 +18,7 @@ std::span<const Command* const> commands() {
   static const Command* const table[] = {
       &kRenderCommand,
       &kCompareCommand,
+      &kEditCommand,
       &kDiffCommand,
       &kModelsCommand,
       &kNodesCommand,

@@ -6,20 +6,9 @@
 #include "app/editor/editor.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
+#include "materials/front_matter.h"
 
 namespace glint {
-
-std::optional<Value> valueFromJson(const Json& json, ValueType type) {
-  Value value{type, {}};
-  const int count = componentCount(type);
-  if (json.isBool()) value.v[0] = json.boolean;
-  else if (json.isNumber()) std::fill_n(value.v.begin(), count, float(json.number));
-  else if (json.isString()) return parseValue(type, json.text);
-  else if (json.isArray() && int(json.items.size()) >= count)
-    for (int i = 0; i < count; ++i) value.v[size_t(i)] = float(json.items[size_t(i)].number);
-  else return std::nullopt;
-  return value;
-}
 
 Json jsonFromValue(const Value& value) {
   if (value.type == ValueType::Bool) return Json::of(value.v[0] != 0);

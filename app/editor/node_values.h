@@ -1,7 +1,6 @@
 // Widgets for what a node is given: constants on its pins and its settings. Shared by the properties and the canvas.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "materials/graph.h"
@@ -11,8 +10,7 @@ namespace glint {
 
 class Editor;
 
-// A constant out of JSON (number, array, bool, "#rrggbb") and back; nothing when it does not fit the type.
-std::optional<Value> valueFromJson(const Json&, ValueType);
+// As a node's settings hold it; valueFromJson() of materials/front_matter.h reads it back.
 Json jsonFromValue(const Value&);
 
 // What an input pin is now, wire aside.
