@@ -158,6 +158,19 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
     }
   }
   if (const Json* list = reader.array("parameters")) readParameters(*list, file, model, problems);
+  model.prepared = reader.texts("prepared").value_or(std::vector<std::string>{});
+  for (size_t i = 0; i < model.prepared.size(); ++i) {
+    const std::string& name = model.prepared[i];
+    std::string fault = faultOfName(name);
+    if (model.parameter(name)) fault = "is a parameter";
+    if (std::find(model.prepared.begin(), model.prepared.begin() + static_cast<long>(i), name) !=
+        model.prepared.begin() + static_cast<long>(i))
+      fault = "is there twice";
+    if (!fault.empty()) reader.problem(*head.find("prepared"), fmt::format("prepared '{}' {}", name, fault), "choose another name");
+  }
+  if (model.prepared.size() > kMostParameters)
+    reader.problem(*head.find("prepared"), fmt::format("{} prepared members", model.prepared.size()),
+                   fmt::format("at most {} are possible", kMostParameters));
   if (const Json* json = reader.object("terms")) readTerms(*json, file, model, problems);
   if (const Json* json = reader.object("claims")) {
     ObjectReader claims(*json, file, "claims", problems);
@@ -188,7 +201,7 @@ const Entry kEntries[] = {
 
 void checkNames(const GlslScan& scan, const std::string& file, Diagnostics& problems) {
   static const std::vector<std::string_view> kOwn = {"main", "Shading", "Parameters", "modelD", "modelSpecular",
-                                                     "modelDiffuse", "modelParameters", "modelHasD"};
+                                                     "modelDiffuse", "modelParameters", "modelPrepare", "modelHasD"};
   for (const GlslName& name : scan.names)
     if (name.name.starts_with("gl_") || name.name.starts_with("glint") ||
         std::find(kOwn.begin(), kOwn.end(), name.name) != kOwn.end())
@@ -237,6 +250,12 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
                                  fmt::format("name one in \"terms\" or write {} {}(Shading s, Parameters p)",
                                              entry.type, entry.name)));
   }
+  for (const GlslFunction& function : scan.functions)
+    if (function.name == "prepare" && function.returnType == "void" && function.takes({"Shading", "Parameters"}))
+      model.definesPrepare = true;
+  if (!model.prepared.empty() && !model.definesPrepare)
+    problems.push_back(error(fmt::format("{}:{}", file, head.find("prepared")->line), "\"prepared\" is never filled",
+                             "write void prepare(Shading s, inout Parameters p)"));
   if (!model.definesDiffuse && model.termDiffuse.empty()) model.termDiffuse = "Lambert";
 }
 

@@ -18,6 +18,8 @@
 //   vec3  F(Shading s, Parameters p)          Fresnel
 //   vec3  diffuse(Shading s, Parameters p)    f of the diffuse part; Lambert when absent
 //   vec3  specular(Shading s, Parameters p)   f of the specular part, instead of D, V and F
+//   void  prepare(Shading s, inout Parameters p)   once a pixel, before any light: s has all but what depends on
+//                                             the light; fills the float members that "prepared" of the head names
 //
 // It may call D, V, F and diffuse whether it defines them or names them, in any order, and every function of
 // shaders/terms/. Its macros end with it. A file may not declare uniforms, inputs, outputs or buffers, nor names
@@ -56,7 +58,8 @@ struct ShadingModel {
   // "G" of the head: a G is divided by 4 NoL NoV.
   std::string termD, termV, termG, termF, termDiffuse;
   bool definesD = false, definesV = false, definesF = false, definesDiffuse = false,
-       definesSpecular = false;
+       definesSpecular = false, definesPrepare = false;
+  std::vector<std::string> prepared;     // members of `Parameters` that its prepare() fills
   struct Claims {
     bool reciprocal = false;        // f(l, v) = f(v, l)
     // With F0 = 1 the specular part, and with a white diffuseColor the diffuse part, each sends out no more
@@ -85,7 +88,8 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 // The GLSL of a model, for a program that has shaders/common/shading.glsl before it: the terms, struct
 // Parameters, the plugin's own text under `#line`, and these functions, which are all that passes call:
 //   Parameters modelParameters(vec4 slots)              per-pixel slots and the constants together
-//   float modelD(Shading, Parameters)                   only for models with a D (hasD)
+//   void modelPrepare(Shading, inout Parameters)        once after setRoughness and setView, before the others
+//   float modelD(Shading, Parameters)                   0 for a model without a D
 //   vec3 modelSpecular(Shading, Parameters)             f, without cosine
 //   vec3 modelDiffuse(Shading, Parameters)
 //   const bool modelHasD

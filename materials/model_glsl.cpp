@@ -30,6 +30,10 @@ std::string parametersGlsl(const ShadingModel& model) {
                                  : fromVector(p.standard.type, fmt::format("glintModelConstants[{}]", constants++), 0);
     reads += fmt::format("  p.{} = {};\n", p.name, from);
   }
+  for (const std::string& name : model.prepared) {
+    members += "  float " + name + ";\n";
+    reads += "  p." + name + " = 0.0;\n";
+  }
   if (members.empty()) {
     members = "  float glintNone;\n";
     reads = "  p.glintNone = 0.0;\n";
@@ -121,10 +125,13 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   entry(text, "vec3", "F", model.definesF, TermKind::F, model.termF);
   entry(text, "vec3", "diffuse", model.definesDiffuse, TermKind::Diffuse, model.termDiffuse);
   if (model.definesSpecular) entry(text, "vec3", "specular", true, TermKind::F, "");
+  if (model.definesPrepare) text += "void prepare(Shading s, inout Parameters p);\n";
   text += fmt::format("#line {} {}\n", kModelLineBase + 1, sourceIndex);
   text += model.source;
   text += fmt::format("\n\n#line 1 {}\n", sourceIndex + 1);
   for (const std::string& macro : scanGlsl(model.source).macros) text += "#undef " + macro + "\n";
+  text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{{}}}\n",
+                      model.definesPrepare ? " prepare(s, p); " : "");
   text += fmt::format("const bool modelHasD = {};\n", hasD);
   text += fmt::format("float modelD(Shading s, Parameters p) {{ return {}; }}\n", hasD ? "D(s, p)" : "0.0");
   // The scalars first: D * V is one product before the colour comes in.

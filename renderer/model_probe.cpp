@@ -37,8 +37,7 @@ Shading shadingAt(Point p) {
     s.LoV = p.more.x;
     s.sinH2 = p.more.y;
   }
-  s.roughness = p.more.z;
-  s.alpha = alphaFromRoughness(s.roughness);
+  setRoughness(s, p.more.z);
   s.F0 = p.F0.xyz;
   s.diffuseColor = p.diffuse.xyz;
   s.baseColor = p.base.xyz;
@@ -99,7 +98,7 @@ Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string&
   std::string source = "#version 450 core\nlayout(local_size_x = " + std::to_string(kGroup) + ") in;\n" + *shading +
                        glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
                        "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
-                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(slots);\n" : "");
+                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(slots);\n  modelPrepare(s, p);\n" : "");
   for (size_t k = 0; k < outputs.size(); ++k)
     source += fmt::format("  values[i * {}u + {}u] = {};\n", outputs.size(), k, outputs[k]);
   source += "}\n";

@@ -8,6 +8,7 @@ struct Shading {
   float sinH2;
   float roughness;   // 0..1, what the artist drags
   float alpha;       // the distribution's width, alphaFromRoughness(roughness)
+  float alpha2;      // its square
   vec3 F0;           // reflectance at normal incidence
   vec3 diffuseColor; // (1 - metallic) baseColor
   // The attributes as authored, for models with conventions of their own.
@@ -22,24 +23,46 @@ const float kPi = 3.14159265358979323846;
 // The one place where roughness becomes alpha. The floor keeps D finite in single precision.
 float alphaFromRoughness(float roughness) { return max(roughness * roughness, 1e-3); }
 
-// Fills what follows from the directions. `N`, `V`, `L` are unit vectors; NoV and NoL are kept above 1e-4.
-void setDirections(inout Shading s, vec3 N, vec3 V, vec3 L) {
+void setRoughness(inout Shading s, float roughness) {
+  s.roughness = roughness;
+  s.alpha = alphaFromRoughness(roughness);
+  s.alpha2 = s.alpha * s.alpha;
+}
+
+// Into (0, 1]: a cosine of zero divides by zero, one above 1 makes a power of a negative number.
+float safeCosine(float x) { return max(min(x, 1.0), 1e-4); }
+
+// Fills what follows from the normal and the viewer, both unit vectors. Software renderers move nothing out of a
+// loop: call it before one over lights.
+void setView(inout Shading s, vec3 N, vec3 V) {
   s.N = N;
   s.V = V;
+  s.NoV = safeCosine(dot(N, V));
+}
+
+// Fills what follows from the direction to the light, a unit vector; after setView.
+void setLight(inout Shading s, vec3 L) {
   s.L = L;
-  vec3 sum = V + L;
-  float length2 = dot(sum, sum);
-  float toHalf = inversesqrt(max(length2, 1e-12));
+  float NoL = dot(s.N, L);
+  s.NoL = safeCosine(NoL);
+  s.LoV = clamp(dot(L, s.V), -1.0, 1.0);
+  // The half vector is (v + l) / |v + l|, of which no model here needs more than these. Along the normal, v + l is
+  // n.v + n.l long, and `across` is the rest of it; neither |v + l| nor v.h = |v + l| / 2 cancels where it is small,
+  // and all are the same to the last digit when v and l change places.
+  vec3 sum = s.V + L;
+  float along = NoL + dot(s.N, s.V);
+  vec3 across = sum - along * s.N;
+  float across2 = dot(across, across);
+  float length2 = max(across2 + along * along, 1e-12);
+  float length1 = sqrt(length2);
+  s.sinH2 = across2 / length2;
+  s.VoH = min(0.5 * length1, 1.0);
+  s.NoH = clamp(along / length1, 0.0, 1.0);
   // Opposite directions have no half vector; any perpendicular one will do.
-  s.H = length2 > 1e-12 ? sum * toHalf : N;
-  float NoL = dot(N, L), NoV = dot(N, V);
-  s.NoL = clamp(NoL, 1e-4, 1.0);
-  s.NoV = clamp(NoV, 1e-4, 1.0);
-  // From the sum instead of H: fewer products, and the same to the last digit when V and L change places.
-  // v.h = |v + l| / 2 does not cancel where v.h is small.
-  s.NoH = clamp((NoL + NoV) * toHalf, 0.0, 1.0);
-  s.VoH = min(0.5 * length2 * toHalf, 1.0);
-  s.LoV = clamp(dot(L, V), -1.0, 1.0);
-  vec3 across = cross(N, sum);
-  s.sinH2 = min(dot(across, across) * (toHalf * toHalf), 1.0);
+  s.H = length2 > 1e-12 ? sum / length1 : s.N;
+}
+
+void setDirections(inout Shading s, vec3 N, vec3 V, vec3 L) {
+  setView(s, N, V);
+  setLight(s, L);
 }

@@ -15,6 +15,7 @@
       "doc": "1 has the longest tail, 2 is GGX, larger ones cut it short"
     }
   ],
+  "prepared": ["normalisation"],
   "terms": {"V": "SmithGGX", "F": "Schlick", "diffuse": "Lambert"},
   "claims": {"reciprocal": true, "energyConserving": false},
   "uses": ["baseColor", "metallic", "specular", "roughness"],
@@ -27,6 +28,10 @@
 }
 */
 
-// No term's name stands for a D with an argument of its own, so this model writes the function itself and
-// hands its parameter over. What it does not write comes from "terms".
-float D(Shading s, Parameters p) { return D_GTR(s, p.gamma); }
+// No term's name stands for a D with arguments of its own, so this model writes the function itself and hands its
+// parameter over. What it does not write comes from "terms".
+float D(Shading s, Parameters p) { return D_GTR(s, p.gamma, p.normalisation); }
+
+// Called once a pixel, before the lights, when the view and the roughness are known: fills the members that the
+// head calls "prepared". A model that has nothing to prepare leaves both out.
+void prepare(Shading s, inout Parameters p) { p.normalisation = normalisationGTR(s.alpha2, p.gamma); }

@@ -18,8 +18,8 @@ void main() {
   vec3 N = vec3(0.0, 0.0, 1.0);
   vec3 V = vec3(sqrt(max(1.0 - NoV * NoV, 0.0)), 0.0, NoV);
   Shading s;
-  s.roughness = ends.y;
-  s.alpha = alphaFromRoughness(s.roughness);
+  setRoughness(s, ends.y);
+  setView(s, N, V);
   s.diffuseColor = s.baseColor = vec3(1.0);
   s.metallic = 1.0;
   s.specular = 0.5;
@@ -27,6 +27,7 @@ void main() {
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
   Parameters p = modelParameters(standardParameters);
+  modelPrepare(s, p);
 
   float at004 = 0.0, at1 = 0.0;
   for (int i = 0; i < kPsi; ++i) {
@@ -44,7 +45,7 @@ void main() {
       float VoH = dot(V, H);
       vec3 L = 2.0 * VoH * H - V;
       if (VoH > 0.0 && L.z > 0.0) {
-        setDirections(s, N, V, L);
+        setLight(s, L);
         // From the half vector itself: going through L loses its last digits.
         s.sinH2 = sinTheta * sinTheta;
         s.NoH = cosTheta;
@@ -65,7 +66,7 @@ void main() {
       float cos2 = (float(i) + 0.5) / float(kDiffuse);
       float phi = (float(j) + 0.5) / float(kDiffuse) * kPi;
       vec3 L = vec3(sqrt(1.0 - cos2) * cos(phi), sqrt(1.0 - cos2) * sin(phi), sqrt(cos2));
-      setDirections(s, N, V, L);
+      setLight(s, L);
       diffuseAlbedo += modelDiffuse(s, p).r * kPi / float(kDiffuse * kDiffuse);
     }
   float scale = (at1 - at004) / 0.96;

@@ -44,8 +44,8 @@ void main() {
   vec3 V = towardsViewer(gl_FragCoord.xy);
 
   Shading s;
-  s.roughness = surface.roughness;
-  s.alpha = alphaFromRoughness(surface.roughness);
+  setRoughness(s, surface.roughness);
+  setView(s, N, V);
   s.baseColor = surface.baseColor;
   s.metallic = surface.metallic;
   s.specular = surface.specular;
@@ -60,11 +60,12 @@ void main() {
 #else
   Parameters p = modelParameters(standardParameters);
 #endif
+  modelPrepare(s, p);
 
   vec3 radiance = vec3(0.0);
   for (int i = 0; i < view.directionalCount; ++i) {
     vec3 L = directional[i].direction.xyz;
-    setDirections(s, N, V, L);
+    setLight(s, L);
     radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
   }
 #ifdef POINT_LIGHTS
@@ -79,7 +80,7 @@ void main() {
     float ratio2 = distance2 * lightPosition.w;
     float window = clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
     float weight = window * window / (distance2 + 1.0) * max(dot(N, L), 0.0);
-    setDirections(s, N, V, L);
+    setLight(s, L);
     radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (intensity * weight);
   }
 #endif

@@ -14,8 +14,7 @@ void main() {
   float u = gl_FragCoord.x / width;
   float theta = 1.5707963267948966 * u * u;
   Shading s;
-  s.roughness = roughnesses[int(gl_FragCoord.y)];
-  s.alpha = alphaFromRoughness(s.roughness);
+  setRoughness(s, roughnesses[int(gl_FragCoord.y)]);
   s.baseColor = s.F0 = vec3(1.0);
   s.diffuseColor = vec3(0.0);
   s.metallic = 1.0;
@@ -25,6 +24,7 @@ void main() {
   s.B = vec3(0.0, 1.0, 0.0);
   setDirections(s, vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), vec3(sin(theta), 0.0, cos(theta)));
   Parameters p = modelParameters(standardParameters);
+  modelPrepare(s, p);
   float kernel = (modelHasD ? modelD(s, p) : dot(modelSpecular(s, p), vec3(1.0 / 3.0))) * cos(theta);
   outColor = vec4(kernel < 1e30 ? max(kernel, 0.0) : 0.0);
 }

@@ -8,7 +8,7 @@
 
 // Trowbridge and Reitz 1975; Walter et al. 2007, eq. 33; Karis 2013, eq. 3: alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1)^2).
 float D_GGX(Shading s) {
-  float q = s.alpha / (s.alpha * s.alpha * (1.0 - s.sinH2) + s.sinH2);
+  float q = s.alpha / (s.sinH2 * (1.0 - s.alpha2) + s.alpha2);
   return q * q * (1.0 / kPi);
 }
 
@@ -16,7 +16,7 @@ float D_GGX(Shading s) {
 float D_Beckmann(Shading s) {
   // Below cos^2 = 1e-3 the exponential has reached zero for every alpha; the floor keeps 0 * infinity away.
   float cos2 = max(1.0 - s.sinH2, 1e-3);
-  float k = 1.0 / (s.alpha * s.alpha * cos2);
+  float k = 1.0 / (s.alpha2 * cos2);
   return exp(-s.sinH2 * k) * k / (kPi * cos2);
 }
 
@@ -32,7 +32,7 @@ float preciseLog(float x, float oneMinusX) {
 // Blinn 1977, with the exponent 2 / alpha^2 - 2 of Walter et al. 2007, sec. 5.2, and Karis 2013 ("Specular BRDF
 // reference"): (n.h)^(2 / alpha^2 - 2) / (pi alpha^2).
 float D_Blinn(Shading s) {
-  float k = 1.0 / (s.alpha * s.alpha);
+  float k = 1.0 / s.alpha2;
   return exp((k - 1.0) * preciseLog(1.0 - s.sinH2, s.sinH2)) * k * (1.0 / kPi);
 }
 
@@ -41,18 +41,22 @@ float D_Blinn(Shading s) {
 // gamma 2 is GGX; a smaller one has a longer tail. The normalisation is 0/0 at gamma = 1 and at alpha = 1; here
 // it is written as two factors that go smoothly to 1 there, with x = (1 - gamma) ln(alpha^2):
 //   x / (e^x - 1)  times  (1 - alpha^2) / -ln(alpha^2)
-// This one takes an argument of its own, so heads name GTR1 or GTR1_5, or a model's own D calls it.
-float D_GTR(Shading s, float gamma) {
-  float alpha2 = s.alpha * s.alpha;
-  float logAlpha2 = preciseLog(alpha2, 1.0 - alpha2);
+float normalisationGTR(float alpha2, float gamma) {
+  float y = 1.0 - alpha2;
+  float logAlpha2 = preciseLog(alpha2, y);
   float x = (1.0 - gamma) * logAlpha2;
   // (e^x - 1) / x, whose difference cancels for small x.
-  float growth = abs(x) < 0.5 ? 1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0)))))
-                              : (exp(x) - 1.0) / x;
-  float y = 1.0 - alpha2;
+  float series = 1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0)))));
+  float growth = abs(x) < 0.5 ? series : (exp(x) - 1.0) / x;
   float shape = y < 1e-4 ? 1.0 - 0.5 * y : -y / logAlpha2;
-  return shape / (kPi * growth) * pow(s.sinH2 * y + alpha2, -gamma);
+  return shape / (kPi * growth);
 }
+
+// With that factor at hand: it is the same for every light, and costs more than all the rest.
+float D_GTR(Shading s, float gamma, float normalisation) {
+  return normalisation * pow(s.sinH2 * (1.0 - s.alpha2) + s.alpha2, -gamma);
+}
+float D_GTR(Shading s, float gamma) { return D_GTR(s, gamma, normalisationGTR(s.alpha2, gamma)); }
 
 // Burley 2012, sec. 5.4: the clear coat's distribution, gamma = 1.
 float D_GTR1(Shading s) { return D_GTR(s, 1.0); }

@@ -52,16 +52,14 @@ float V_SchlickGGXHot(Shading s) {
 
 // Smith 1967 for GGX: Walter et al. 2007, eq. 34, with light and view independent.
 float V_SmithGGX(Shading s) {
-  float alpha2 = s.alpha * s.alpha;
-  return 1.0 / ((s.NoL + sqrt(s.NoL * s.NoL * (1.0 - alpha2) + alpha2)) *
-                (s.NoV + sqrt(s.NoV * s.NoV * (1.0 - alpha2) + alpha2)));
+  return 1.0 / ((s.NoL + sqrt(s.NoL * s.NoL * (1.0 - s.alpha2) + s.alpha2)) *
+                (s.NoV + sqrt(s.NoV * s.NoV * (1.0 - s.alpha2) + s.alpha2)));
 }
 
 // Heitz 2014, eq. 99: the same with heights correlated.
 float V_SmithGGXCorrelated(Shading s) {
-  float alpha2 = s.alpha * s.alpha;
-  return 0.5 / (s.NoL * sqrt(s.NoV * s.NoV * (1.0 - alpha2) + alpha2) +
-                s.NoV * sqrt(s.NoL * s.NoL * (1.0 - alpha2) + alpha2));
+  return 0.5 / (s.NoL * sqrt(s.NoV * s.NoV * (1.0 - s.alpha2) + s.alpha2) +
+                s.NoV * sqrt(s.NoL * s.NoL * (1.0 - s.alpha2) + s.alpha2));
 }
 
 // Unreal's approximation of it without roots: sqrt(x^2 (1 - alpha^2) + alpha^2) becomes x (1 - alpha) + alpha,

@@ -73,6 +73,7 @@ TEST(ModelHead, EveryFaultAtItsLine) {
     {"type": "float", "default": 0}
   ],
   "claims": {"reciprocal": 1},
+  "prepared": ["metallic", "e", "e"],
   "uses": ["rougness"]
 }
 */
@@ -93,9 +94,12 @@ float V(float x) { return x; }
            "m.glsl:12: parameter 'float': the name is a reserved word",
            "m.glsl:12: parameter 'float': 'default' is not a vec2",
            "m.glsl:13: parameter: 'name' is missing",
+           "m.glsl:16: prepared 'metallic' is the name of an attribute",
+           "m.glsl:16: prepared 'e' is there twice",
+           "m.glsl:16: \"prepared\" is never filled",
            "m.glsl:15: claims: 'reciprocal' must be",
-           "m.glsl:16: unknown attribute 'rougness'; did you mean 'roughness'?",
-           "m.glsl:19: 'V' has other types than Glint calls it with; write float V(Shading s, Parameters p)",
+           "m.glsl:17: unknown attribute 'rougness'; did you mean 'roughness'?",
+           "m.glsl:20: 'V' has other types than Glint calls it with; write float V(Shading s, Parameters p)",
        })
     EXPECT_THAT(said, HasSubstr(expected));
 }
