@@ -78,7 +78,7 @@ std::array<Softbox, 7> softboxes() {
       // A narrow strip beside it draws a crisp line into polished metal.
       {at(88, 16, 3.0f), {0.10f, 1.25f}, 0.04f, {4.0f, 4.2f, 4.5f}, 0.90f, 0.06f, 0.07f},
       // Rims: from behind on both sides.
-      {at(-138, 22, 3.2f), {0.42f, 1.40f}, -0.06f, {5.6f, 5.4f, 5.0f}, 1.10f, 0.12f, 0.16f},
+      {at(-116, 22, 3.2f), {0.42f, 1.40f}, -0.06f, {5.6f, 5.4f, 5.0f}, 1.10f, 0.12f, 0.16f},
       {at(146, 26, 3.2f), {0.80f, 0.60f}, 0.10f, {3.6f, 3.75f, 4.0f}, 1.20f, 0.14f, 0.18f},
       // Overhead bank, a little behind the subject.
       {at(180, 72, 2.8f), {1.40f, 0.60f}, 0.0f, {4.2f, 4.1f, 3.9f}, 1.15f, 0.16f, 0.22f},
