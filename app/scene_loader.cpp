@@ -26,15 +26,12 @@ bool isGltf(const std::string& name) {
 Result<ModelPtr> Libraries::model(const std::string& id, const std::string& place) const {
   auto found = models.get(id);
   if (found) return found;
-  // A model that is not there may be one whose file is broken.
-  Diagnostics all;
-  for (Diagnostic d : found.diagnostics()) {
-    d.place = place;
-    all.push_back(std::move(d));
-  }
+  // A model that is not there may be one whose file is broken: then that is what is wrong.
+  Diagnostics broken;
   for (const Diagnostic& d : models.problems())
-    if (d.severity == Severity::Error) all.push_back(d);
-  return all;
+    if (d.severity == Severity::Error && d.place.find("/" + id + ".glsl") != std::string::npos) broken.push_back(d);
+  if (!broken.empty()) return broken;
+  return error(place, fmt::format("unknown shading model '{}'", id), found.diagnostics()[0].hint);
 }
 
 Result<MaterialPtr> Libraries::material(const std::string& nameOrFile, const std::string& place, Diagnostics& warnings) const {

@@ -69,7 +69,7 @@ TEST(NewModelCommand, WritesOneThatWorks) {
 }
 
 TEST(NewModelCommand, GoesToTheConfigurationByDefault) {
-  ::setenv("XDG_CONFIG_HOME", (scratch() / "config").c_str(), 1);
+  const testing_support::WithVariable folder("XDG_CONFIG_HOME", scratch() / "config");
   EXPECT_EQ(glint({"new-model", "mine"}).code, 0);
   EXPECT_EQ(filesIn(scratch() / "config/glint/models"), std::vector<std::string>{"mine.glsl"});
   EXPECT_THAT(glint({"models"}).out, HasSubstr("mine.glsl"));
@@ -81,7 +81,7 @@ TEST(NewModelCommand, BadInput) {
   EXPECT_BAD_INPUT(glint({"new-model", "ggx", "--models-dir", "mine"}), "'ggx'", "is taken by");
   EXPECT_BAD_INPUT(glint({"new-model", "../escape", "--models-dir", "mine"}), "'../escape'", "is no id");
   EXPECT_BAD_INPUT(glint({"new-model", "", "--models-dir", "mine"}), "''", "is no id");
-  ::setenv("XDG_CONFIG_HOME", (scratch() / "mine/taken.glsl").c_str(), 1);
+  const testing_support::WithVariable folder("XDG_CONFIG_HOME", scratch() / "mine/taken.glsl");
   EXPECT_BAD_INPUT(glint({"new-model", "mine"}), (scratch() / "mine/taken.glsl/glint/models").string(), "cannot be made");
   EXPECT_EQ(filesIn(scratch() / "mine"), std::vector<std::string>{"taken.glsl"});
   EXPECT_EQ(glint({"new-model"}).code, 2);

@@ -36,6 +36,16 @@ std::vector<std::string> Ran::errorLines() const {
 
 nlohmann::json Ran::json() const { return nlohmann::json::parse(out, nullptr, false); }
 
+WithVariable::WithVariable(const char* name, const std::string& value) : name_(name) {
+  if (const char* before = std::getenv(name)) before_ = before;
+  ::setenv(name, value.c_str(), 1);
+}
+
+WithVariable::~WithVariable() {
+  if (before_) ::setenv(name_, before_->c_str(), 1);
+  else ::unsetenv(name_);
+}
+
 fs::path scratch() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string(test->test_suite_name()) + "." + test->name();

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,18 @@ struct Ran {
 
 // GLINT_PROGRAM with these arguments, from `folder` (the test's scratch folder when empty).
 Ran glint(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {});
+
+// An environment variable for as long as this lives; children see it.
+class WithVariable {
+ public:
+  WithVariable(const char* name, const std::string& value);
+  ~WithVariable();
+  WithVariable(const WithVariable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
 
 // A folder of this test case's own, empty at its start.
 std::filesystem::path scratch();
