@@ -8,13 +8,29 @@
 #include "materials/base/hash.h"
 #include "renderer/disk_cache.h"
 #include "renderer/lobe.h"
+#include "shaders/shipped_files.h"
 
 namespace glint {
 namespace {
 
 constexpr int kLobeWidth = 1024;
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 2;
+constexpr uint64_t kCacheVersion = 3;
+
+// Also part of them: the recipe, so that a changed shader or number of samples never meets old results.
+uint64_t recipeHash() {
+  static const uint64_t hash = [] {
+    uint64_t h = kCacheVersion;
+    for (const char* file : {"shaders/passes/prefilter.frag", "shaders/passes/lobe.frag", "shaders/passes/environment_brdf.frag", "shaders/common/shading.glsl"})
+      h = hashText(shipped::read(file).value_or(""), h);
+    for (int level = 0; level < EnvironmentLighting::kLevels; ++level) {
+      const int samples = EnvironmentLighting::levelSamples(level);
+      h = hashBytes(&samples, sizeof samples, h);
+    }
+    return h;
+  }();
+  return hash;
+}
 
 }  // namespace
 
@@ -39,7 +55,7 @@ ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::
 }
 
 uint64_t ModelSetting::key() const {
-  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash ^ kCacheVersion);
+  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash ^ recipeHash());
   return hashBytes(constants.data(), constants.size() * sizeof(glm::vec4), h);
 }
 
