@@ -228,6 +228,7 @@ void Editor::openFile(const fs::path& file) {
     Preview preview = document_->preview();
     preview.subject = Preview::Subject::Mesh;
     preview.mesh = whole;
+    preview.ownMaterials = true;
     document_->setPreview("Show " + name, preview);
     layout_.show("Viewport");
   } else if (extension == ".hdr" || extension == ".exr" || extension == ".pfm") {
@@ -320,6 +321,17 @@ void Editor::openLibrary(const std::string& name) {
     if (!material) return say(material.diagnostics().front().text(), true);
     material->file.clear();
     document_->startNew(std::move(*material), document_->preview());
+    selection_.clear();
+  });
+}
+
+void Editor::editCopy(const Material& original) {
+  afterAsking([this, original] {
+    Material copy = original;
+    copy.lines.reset();
+    Preview preview = document_->preview();
+    preview.ownMaterials = false;
+    document_->startNew(std::move(copy), preview);
     selection_.clear();
   });
 }

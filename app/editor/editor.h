@@ -86,6 +86,7 @@ class Editor {
   void newDocument();
   void openDocument();
   void openLibrary(const std::string& name);        // a copy of a shipped material, unsaved
+  void editCopy(const Material&);                    // the same for any other, one of a mesh's for example
   void save(std::function<void()> then = {});
   void saveAs(bool project, std::function<void()> then = {});
 

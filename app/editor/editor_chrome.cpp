@@ -56,6 +56,7 @@ void Editor::handleShortcuts() {
 
 void Editor::drawMenu() {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme::px(14), theme::px(6)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ui::pushScope("Menu");
   if (ImGui::BeginMainMenuBar()) {
     if (menu("File")) {
@@ -118,7 +119,7 @@ void Editor::drawMenu() {
     ImGui::EndMainMenuBar();
   }
   ui::popScope();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 void Editor::drawStatus(ImVec2 low, ImVec2 high) {
@@ -136,7 +137,8 @@ void Editor::drawStatus(ImVec2 low, ImVec2 high) {
   ImGui::PushFont(fonts_.small());
 
   const auto progress = render_->progress();
-  if (progress && render_->working()) {
+  const bool told = !message_.empty() && time_ < messageUntil_;
+  if (progress && render_->working() && !(told && messageWrong_)) {
     const float width = theme::px(120), height = theme::px(4);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + ImGui::GetFontSize() / 2;
@@ -147,7 +149,7 @@ void Editor::drawStatus(ImVec2 low, ImVec2 high) {
     ImGui::Dummy({width + theme::px(8), ImGui::GetFontSize()});
     ImGui::SameLine(0, 0);
     ui::textDim(progress->what);
-  } else if (!message_.empty() && time_ < messageUntil_) {
+  } else if (told) {
     ImGui::PushStyleColor(ImGuiCol_Text, messageWrong_ ? theme::kError : theme::kText);
     ImGui::TextUnformatted(message_.c_str());
     ImGui::PopStyleColor();

@@ -32,6 +32,13 @@ bool editable(const Pin& pin) {
   return pin.type.kind == PinType::Kind::Numeric || componentCount(pin.type.type) > 0;
 }
 
+std::string passedThrough(const Node& node, const Pin& pin) {
+  const auto given = node.inputs.find(pin.name);
+  if (!pin.optional || (given != node.inputs.end() && !given->second.empty())) return {};
+  const auto bundle = node.inputs.find("attributes");
+  return bundle != node.inputs.end() && bundle->second.from ? bundle->second.from->text() : std::string();
+}
+
 void inputProperty(Editor& editor, const NodeId& id, const Node& node, const Pin& pin) {
   Document& document = editor.document();
   const auto input = node.inputs.find(pin.name);
@@ -58,6 +65,14 @@ void inputProperty(Editor& editor, const NodeId& id, const Node& node, const Pin
     ui::beginProperty(title, pin.doc);
     ImGui::AlignTextToFramePadding();
     ui::textDim("surface " + pin.surface);
+    ui::endProperty();
+    return;
+  }
+  if (const std::string bundle = passedThrough(node, pin); !bundle.empty()) {
+    ui::beginProperty(title, pin.doc);
+    if (ui::button("from " + bundle + "##" + title, false, ImGui::CalcItemWidth()))
+      editor.refused(document.edit("Set " + title, [&](GraphEditor& graph) { return graph.setValue({id, pin.name}, pin.standard); }));
+    ui::tooltip("Click to give it a value of its own instead");
     ui::endProperty();
     return;
   }

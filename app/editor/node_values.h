@@ -18,6 +18,9 @@ Value inputValue(const Node&, const Pin&);
 std::string pinTitle(const Pin&);
 bool editable(const Pin&);                  // has a constant that a widget can show
 
+// What feeds the bundle on the node's pin `attributes`, when that is where an optional pin's value comes from; else "".
+std::string passedThrough(const Node&, const Pin&);
+
 // One property line for an input: its widget, or what feeds it.
 void inputProperty(Editor&, const NodeId&, const Node&, const Pin&);
 // One property line for a setting.

@@ -68,6 +68,7 @@ PreviewScene::PreviewScene(const NodeRegistry& nodes, const FunctionLibrary& fun
 void PreviewScene::update(const FrameRequest& request) {
   problems.clear();
   graphOk = true;
+  meshMaterials.clear();
   usedSurfaces_.clear();
   if (textures_.refresh()) surfaces_.clear();
   const Preview& preview = request.preview;
@@ -237,23 +238,40 @@ void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
       gltfName_ = preview.mesh;
       gltfTime_ = time;
       gltfProblems_.clear();
-      auto read = loadGltf(preview.mesh, gltfProblems_);
+      auto read = loadMesh(preview.mesh, "mesh", textures_, gltfProblems_);
       if (read) {
-        gltf_ = std::make_shared<const GltfFile>(std::move(*read));
-        for (const auto& [name, image] : gltf_->images) textures_.put(name, image);
+        gltf_ = std::move(*read);
+        std::erase_if(surfaces_, [](const auto& item) { return item.first.starts_with("mesh "); });
       } else {
         append(gltfProblems_, read.diagnostics());
       }
     }
     append(problems, gltfProblems_);
-    if (gltf_)
-      for (const GltfNode& node : gltf_->nodes) built.instances.push_back({node.mesh, node.worldFromModel, 0});
+    if (gltf_) {
+      built.instances = gltf_->instances;
+      meshMaterials = gltf_->materials;
+    }
   }
-  const ModelPtr shading = model(request, request.material->model, request.material->place());
-  const SurfaceMaterial* drawn =
-      shading ? surface("edited", request.material, request.materialRevision, shading, {}) : nullptr;
-  if (drawn) built.materials.push_back(*drawn);
-  else built.instances.clear();
+  const bool own = preview.ownMaterials && !meshMaterials.empty();
+  for (size_t i = 0; own && i < meshMaterials.size(); ++i) {
+    const MaterialPtr& material = meshMaterials[i];
+    const ModelPtr shading = model(request, material->model, material->place());
+    const SurfaceMaterial* drawn =
+        shading ? surface("mesh " + std::to_string(i), material, reinterpret_cast<uintptr_t>(material.get()), shading, {}) : nullptr;
+    built.materials.push_back(drawn ? *drawn : SurfaceMaterial{});
+    if (!drawn) built.instances.clear();
+    if (i < gltf_->doubleSided.size()) built.materials.back().doubleSided = gltf_->doubleSided[i];
+    if (i < gltf_->opacityCutoff.size()) built.materials.back().opacityCutoff = gltf_->opacityCutoff[i];
+  }
+  if (!own) {
+    for (Instance& instance : built.instances) instance.material = 0;
+    const ModelPtr shading = model(request, request.material->model, request.material->place());
+    const SurfaceMaterial* drawn =
+        shading ? surface("edited", request.material, request.materialRevision, shading, {}) : nullptr;
+    if (drawn) built.materials.push_back(*drawn);
+    else built.instances.clear();
+  }
+  if (built.instances.empty()) built.materials.clear();
   boundsOf(built, center, radius);
   scene = std::move(built);
   subject = preview.mesh;

@@ -5,16 +5,17 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "app/editor/preview.h"
+#include "app/scene_loader.h"
 #include "materials/function_library.h"
 #include "materials/graph.h"
 #include "materials/model_registry.h"
 #include "renderer/comparison.h"
-#include "renderer/gltf_loader.h"
 #include "renderer/material_settings.h"
 
 namespace glint {
@@ -51,6 +52,7 @@ class PreviewScene {
   std::string code;                 // generated GLSL of the edited material, when wanted
   CompileStats stats;               // of the edited material
   bool graphOk = true;
+  std::vector<MaterialPtr> meshMaterials;  // of the glTF file that is shown
 
  private:
   struct Loaded {
@@ -86,7 +88,7 @@ class PreviewScene {
   std::map<std::string, MeshPtr> shapes_;
   std::string gltfName_;
   std::filesystem::file_time_type gltfTime_{};
-  std::shared_ptr<const GltfFile> gltf_;
+  std::optional<LoadedMesh> gltf_;
   Diagnostics gltfProblems_;
   uint64_t codeRevision_ = 0, codeModel_ = 0;
 };

@@ -81,6 +81,18 @@ void RenderThread::publish(FrameResult result) {
   wake_();
 }
 
+unsigned RenderThread::keep(unsigned drawn, glm::ivec2 size) {
+  keptAt_ = (keptAt_ + 1) % int(std::size(kept_));
+  Kept& kept = kept_[keptAt_];
+  if (kept.size != size) {
+    kept.texture = gl::createTexture2D(GL_RGBA8, size.x, size.y);
+    kept.size = size;
+  }
+  glCopyImageSubData(drawn, GL_TEXTURE_2D, 0, 0, 0, 0, kept.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, size.x, size.y, 1);
+  glFinish();
+  return kept.texture.id();
+}
+
 void RenderThread::run() {
   context_->makeCurrent();
   {
@@ -122,6 +134,7 @@ void RenderThread::run() {
       refining_ = more && !pending_;
     }
   }
+  for (Kept& kept : kept_) kept = {};
   context_->release();
 }
 
@@ -154,7 +167,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
                       {0, 0, size.x, size.y}});
   }
   result.serial = request.serial;
-  result.texture = renderer.drawToTexture(views_, size, settings_);
+  result.texture = keep(renderer.drawToTexture(views_, size, settings_), size);
   result.size = size;
   result.layoutSize = request.size;
   result.comparison = scene.comparison;
@@ -166,6 +179,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.problems = scene.problems;
   result.problems.insert(result.problems.end(), renderer.problems().begin(), renderer.problems().end());
   result.graphOk = scene.graphOk;
+  result.meshMaterials = scene.meshMaterials;
   result.code = scene.code;
   result.stats = scene.stats;
   result.statistics = renderer.statistics();
@@ -182,7 +196,7 @@ bool RenderThread::refine(Renderer& renderer, PreviewScene&) {
   // What is dragged, or was drawn small, waits for the whole picture.
   if (current_.dragging || last_.samples >= most) return false;
   const int sample = last_.samples;
-  last_.texture = renderer.refineTexture(views_, last_.size, settings_, sample);
+  last_.texture = keep(renderer.refineTexture(views_, last_.size, settings_, sample), last_.size);
   ++last_.samples;
   publish(last_);
   return last_.samples < most;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/editor/preview_scene.h"
+#include "renderer/gl/objects.h"
 
 namespace glint {
 
@@ -28,6 +29,7 @@ struct FrameResult {
   std::string subject;
   Diagnostics problems;
   bool graphOk = true;
+  std::vector<MaterialPtr> meshMaterials;
   std::string code;
   CompileStats stats;
   Renderer::Statistics statistics;
@@ -65,6 +67,7 @@ class RenderThread {
   void draw(Renderer&, PreviewScene&, const FrameRequest&);
   bool refine(Renderer&, PreviewScene&);
   void publish(FrameResult);
+  unsigned keep(unsigned drawn, glm::ivec2 size);   // a copy that stays while it is shown
 
   std::unique_ptr<gl::Context> context_;
   const NodeRegistry& nodes_;
@@ -86,6 +89,12 @@ class RenderThread {
   std::vector<View> views_;
   RenderSettings settings_;
   uint64_t modelsRevision_ = 0;
+  // Copies for the window: one is shown, one is on its way, one is free to be made anew at any size.
+  struct Kept {
+    gl::Texture texture;
+    glm::ivec2 size{0};
+  } kept_[3];
+  int keptAt_ = 0;
   double smoothedCost_ = 0;                   // of a whole picture, ms
   std::thread thread_;
 };

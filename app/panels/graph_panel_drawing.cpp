@@ -36,6 +36,7 @@ std::optional<PinRef> GraphPanel::fieldAt(Editor& editor, ImVec2 screen) const {
     const auto input = node->inputs.find(pin.name);
     if (!editable(pin) || (input != node->inputs.end() && input->second.from)) continue;
     if (!pin.surface.empty() && (input == node->inputs.end() || !input->second.value)) continue;
+    if (!passedThrough(*node, pin).empty()) continue;
     ImVec2 low, high;
     if (fieldRect(*shape, i, low, high) && screen.x >= low.x && screen.x < high.x && screen.y >= low.y && screen.y < high.y)
       return PinRef{*id, pin.name};
@@ -188,7 +189,7 @@ void GraphPanel::drawNode(Editor& editor, const NodeId& id, const Node& node, co
     canvas_.text({c.x + 11 * unit, c.y - lift}, wired ? theme::grey(220) : theme::grey(180), pinTitle(pin), false,
                  high.x - c.x - (wired || !editable(pin) ? 14 : 78) * unit);
     ImVec2 fieldLow, fieldHigh;
-    if (!wired && editable(pin) && fieldRect(shape, i, fieldLow, fieldHigh)) {
+    if (!wired && editable(pin) && passedThrough(node, pin).empty() && fieldRect(shape, i, fieldLow, fieldHigh)) {
       if (fromSurface) {
         const float width = canvas_.textWidth(pin.surface);
         canvas_.text({fieldHigh.x - width, c.y - lift}, theme::kTextFaint, pin.surface);

@@ -55,6 +55,12 @@ class LibraryPanel final : public Panel {
       std::erase(preview.materials, remove);
       document.setPreview("Leave out " + std::filesystem::path(remove).filename().string(), preview);
     }
+    const std::vector<MaterialPtr>& own = editor.shown().meshMaterials;
+    MaterialPtr copied;
+    if (!own.empty() && ui::section("Of the mesh"))
+      for (size_t i = 0; i < own.size(); ++i)
+        if (ui::row("mesh" + std::to_string(i), own[i]->name, "edit a copy", false)) copied = own[i];
+    if (copied) editor.editCopy(*copied);
     ImGui::Dummy({0, theme::px(4)});
     if (ui::button("Compare with a file\u2026"))
       editor.browse({.title = "Choose a material to compare with", .extensions = {".json"},

@@ -110,6 +110,17 @@ void ViewportPanel::toolbar(Editor& editor) {
       ImGui::EndCombo();
     }
     ui::mark("mesh");
+    if (!editor.shown().meshMaterials.empty()) {
+      static const std::string whose[] = {"Its materials", "Edited"};
+      int index = preview.ownMaterials ? 0 : 1;
+      ImGui::SameLine(0, theme::px(8));
+      ImGui::PushItemWidth(theme::px(190));
+      if (ui::segments("whose", index, whose)) {
+        preview.ownMaterials = index == 0;
+        document.setPreview(index == 0 ? "Show the mesh\u2019s materials" : "Show the edited material", preview);
+      }
+      ImGui::PopItemWidth();
+    }
   }
 
   // On the right: what is shown of it, and how bright.

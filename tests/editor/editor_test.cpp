@@ -1,0 +1,352 @@
+// The editor as a person uses it: mouse and keys on the real interface, drawn off screen.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include "app/editor/ui_driver.h"
+#include "materials/base/files.h"
+#include "materials/material_json.h"
+#include "materials/material_library.h"
+#include "renderer/image_io.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One context and one editor for all tests of this process: each begins with a document of its own.
+class EditorTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    fs::remove_all(folder());
+    fs::create_directories(folder());
+    auto made = gl::Context::create({.backend = gl::Backend::OsMesa});
+    ASSERT_TRUE(made) << made.diagnostics()[0].text();
+    context_ = std::move(*made);
+    driver_ = std::make_unique<UiDriver>(*context_, EditorOptions{.configFolder = folder() / "config"}, glm::ivec2(1280, 1100));
+  }
+  static void TearDownTestSuite() {
+    driver_.reset();
+    context_.reset();
+  }
+  static fs::path folder() { return fs::path(GLINT_TESTS_OUT) / "editor"; }
+
+  UiDriver& ui() { return *driver_; }
+  Document& document() { return driver_->editor().document(); }
+  // A new material that looks at one small sphere, so that frames are quick.
+  void begin() {
+    Preview preview;
+    preview.subject = Preview::Subject::Mesh;
+    preview.mesh = "sphere";
+    preview.environment = "none";
+    preview.lights.push_back({});
+    document().startNew(newMaterial("trial"), preview);
+    driver_->editor().selection().clear();
+    driver_->editor().layout().reset();
+    ui().frames(4);
+  }
+  void addNode(const std::string& search) {
+    ui().click("Graph/Add node");
+    ui().type(search);
+    ui().key(Key::Enter);
+    ui().frames(3);
+  }
+  NodeId only(const std::string& kind) {
+    for (const auto& [id, node] : document().material().nodes)
+      if (node.kind == kind) return id;
+    ADD_FAILURE() << "no node of kind " << kind;
+    return "";
+  }
+
+  static std::unique_ptr<gl::Context> context_;
+  static std::unique_ptr<UiDriver> driver_;
+};
+std::unique_ptr<gl::Context> EditorTest::context_;
+std::unique_ptr<UiDriver> EditorTest::driver_;
+
+TEST_F(EditorTest, AddsWiresUndoesSavesAndReopens) {
+  begin();
+  addNode("constant");
+  const NodeId constant = only("constant");
+  ASSERT_FALSE(constant.empty());
+  EXPECT_EQ(document().steps().size(), 1u);
+  EXPECT_TRUE(document().modified());
+  EXPECT_NE(document().title().find('*'), std::string::npos);
+
+  // The new node lies in the middle; it is dragged clear of the output before its wire is drawn.
+  ui().key(Key::Home);
+  const NodeId output = document().material().outputNode();
+  const ImVec2 at = ui().at("Graph/node:" + constant);
+  ui().drag(at, {at.x - 300, at.y + 30});
+  ASSERT_EQ(document().steps().size(), 2u) << "one drag is one step";
+  const std::string from = "Graph/out:" + constant + ".value", to = "Graph/in:" + output + ".roughness";
+  ui().drag(ui().at(from), ui().at(to));
+  const auto wired = [&] {
+    const Node* node = document().material().node(output);
+    const auto input = node->inputs.find("roughness");
+    return input != node->inputs.end() && input->second.from && input->second.from->node == constant;
+  };
+  ASSERT_TRUE(wired());
+  ui().key(Key::Z, kControl);
+  EXPECT_FALSE(wired());
+  ui().key(Key::Z, kControlShift);
+  EXPECT_TRUE(wired());
+  ui().key(Key::Z, kControl);
+  ui().key(Key::Y, kControl);
+  EXPECT_TRUE(wired());
+
+  // Ctrl+S asks where the first time, and never again.
+  ui().key(Key::S, kControl);
+  ASSERT_TRUE(ui().editor().files().isOpen());
+  ui().editor().files().setFolder(folder());
+  ui().frames(2);
+  ui().click("Dialog/Files/name");
+  ui().key(Key::A, kControl);
+  ui().type("trial.json");
+  ui().key(Key::Enter);
+  ui().frames(3);
+  ASSERT_TRUE(fs::exists(folder() / "trial.json"));
+  EXPECT_FALSE(document().modified());
+  const Material saved = document().material();
+
+  ui().drag(ui().at("Graph/node:" + constant), {at.x - 250, at.y + 90});
+  EXPECT_TRUE(document().modified());
+  ui().key(Key::S, kControl);
+  EXPECT_FALSE(document().modified());
+  EXPECT_FALSE(ui().editor().files().isOpen());
+
+  document().startNew(newMaterial("other"), document().preview());
+  ui().frames(2);
+  ui().editor().openFile(folder() / "trial.json");
+  ui().frames(3);
+  EXPECT_TRUE(wired());
+  EXPECT_EQ(document().material().nodes, saved.nodes);
+}
+
+TEST_F(EditorTest, RefusesACycleAndSaysWhy) {
+  begin();
+  addNode("add");
+  const NodeId id = only("add");
+  const ImVec2 at = ui().at("Graph/node:" + id);
+  ui().drag(at, {at.x - 300, at.y});
+  const auto& kinds = ui().editor().nodes();
+  const NodeKind* kind = kinds.find("add");
+  ASSERT_TRUE(kind);
+  const size_t steps = document().steps().size();
+  // The reason shows while the wire hangs over the pin, and nothing is done on release.
+  ui().move(ui().at("Graph/out:" + id + "." + kind->outputs[0].name));
+  ui().press();
+  ui().move(ui().at("Graph/in:" + id + "." + kind->inputs[0].name));
+  EXPECT_TRUE(ui().has("Graph/reject-reason"));
+  ui().release();
+  EXPECT_EQ(document().steps().size(), steps);
+}
+
+TEST_F(EditorTest, ASliderDragIsOneStepAndItsLabelResets) {
+  begin();
+  const NodeId output = document().material().outputNode();
+  const ui::Rect slider = ui().rect("Properties/Roughness");
+  const float y = slider.center().y;
+  ui().drag({slider.low.x + 20, y}, {slider.high.x - 30, y});
+  ASSERT_EQ(document().steps().size(), 1u);
+  const auto value = [&] {
+    const auto& inputs = document().material().node(output)->inputs;
+    const auto found = inputs.find("roughness");
+    return found == inputs.end() || !found->second.value ? -1.0f : found->second.value->v[0];
+  };
+  EXPECT_GT(value(), 0.6f);
+  ui().key(Key::Z, kControl);
+  EXPECT_EQ(value(), -1.0f);
+  ui().key(Key::Z, kControlShift);
+  EXPECT_GT(value(), 0.6f);
+  ui().doubleClick(ui().at("Properties/Roughness:label"));
+  EXPECT_EQ(value(), -1.0f);
+  EXPECT_EQ(document().steps().size(), 2u);
+}
+
+TEST_F(EditorTest, TheSceneIsInTheSameHistory) {
+  begin();
+  const ui::Rect slider = ui().rect("Scene/Rotation");
+  ui().drag(slider.center(), {slider.high.x - 10, slider.center().y});
+  ASSERT_EQ(document().steps().size(), 1u);
+  EXPECT_GT(document().preview().environmentRotation, 60);
+  ui().click("Scene/Add point");
+  EXPECT_EQ(document().preview().lights.size(), 2u);
+  addNode("constant");
+  ASSERT_EQ(document().steps().size(), 3u);
+  for (int i = 0; i < 3; ++i) ui().key(Key::Z, kControl);
+  EXPECT_EQ(document().preview().environmentRotation, 0);
+  EXPECT_EQ(document().preview().lights.size(), 1u);
+  EXPECT_EQ(document().material().nodes.size(), 1u);
+  document().goTo(3);
+  EXPECT_EQ(document().preview().lights.size(), 2u);
+  EXPECT_EQ(document().material().nodes.size(), 2u);
+  // Looking around is no step.
+  const ImVec2 view = ui().at("Viewport/view");
+  ui().drag(view, {view.x + 80, view.y});
+  EXPECT_EQ(document().steps().size(), 3u);
+  EXPECT_NE(document().preview().orbit.yaw, Preview{}.orbit.yaw);
+}
+
+TEST_F(EditorTest, DeletesDuplicatesAndPastes) {
+  begin();
+  addNode("constant");
+  const ImVec2 canvas = ui().at("Graph/canvas");
+  ui().move({canvas.x, canvas.y + 60});
+  ui().key(Key::D, kControl);
+  EXPECT_EQ(document().material().nodes.size(), 3u);
+  ui().key(Key::C, kControl);
+  ui().key(Key::V, kControl);
+  EXPECT_EQ(document().material().nodes.size(), 4u);
+  ui().key(Key::Delete);
+  EXPECT_EQ(document().material().nodes.size(), 3u);
+  for (int i = 0; i < 4; ++i) ui().key(Key::Z, kControl);
+  EXPECT_EQ(document().material().nodes.size(), 1u);
+}
+
+TEST_F(EditorTest, DroppedFilesAreUsedAndBadOnesSaidSo) {
+  begin();
+  ImageF sky(64, 32, 3);
+  std::fill(sky.data.begin(), sky.data.end(), 0.5f);
+  ASSERT_TRUE(writeImageF(folder() / "sky.hdr", sky).empty());
+  ui().editor().openFile(folder() / "sky.hdr");
+  EXPECT_NE(document().preview().environment.find("sky.hdr"), std::string::npos);
+  Image8 dots(8, 8, 3);
+  ASSERT_TRUE(writeImage8(folder() / "dots.png", dots).empty());
+  ui().editor().openFile(folder() / "dots.png");
+  EXPECT_FALSE(only("texture-sample").empty());
+
+  std::ofstream(folder() / "broken.json") << "{ \"glint\": \"material\", ";
+  const Material before = document().material();
+  document().startNew(before, document().preview());
+  ui().editor().openFile(folder() / "broken.json");
+  ui().frames(2);
+  EXPECT_TRUE(ui().has("message"));
+  EXPECT_EQ(document().material(), before);
+  ui().editor().openFile(folder() / "notes.txt");
+  ui().frames(2);
+  EXPECT_TRUE(ui().has("message"));
+
+  // A mesh that is no glTF is a problem, and the window goes on.
+  begin();
+  std::ofstream(folder() / "broken.glb") << "not a glb";
+  ui().editor().openFile(folder() / "broken.glb");
+  ASSERT_TRUE(ui().settle());
+  EXPECT_TRUE(std::any_of(ui().editor().problems().begin(), ui().editor().problems().end(),
+                          [](const Diagnostic& d) { return d.place.find("broken.glb") != std::string::npos; }));
+}
+
+TEST_F(EditorTest, AsksBeforeWorkIsLost) {
+  begin();
+  addNode("constant");
+  ui().key(Key::N, kControl);
+  ASSERT_TRUE(ui().has("Dialog/Cancel"));
+  ui().click("Dialog/Cancel");
+  EXPECT_EQ(document().material().nodes.size(), 2u);
+  ui().editor().requestQuit();
+  ui().frames(3);
+  EXPECT_FALSE(ui().editor().quitting());
+  ui().click("Dialog/Cancel");
+  ui().key(Key::N, kControl);
+  ui().click("Dialog/Don\u2019t save");
+  EXPECT_EQ(document().material().nodes.size(), 1u);
+  EXPECT_FALSE(document().modified());
+}
+
+TEST_F(EditorTest, AModelDroppedInDrawsAndABrokenOneIsAProblem) {
+  begin();
+  const fs::path models = folder() / "config" / "models";
+  fs::create_directories(models);
+  std::ofstream(models / "flat-test.glsl") << "/*glint\n{ \"id\": \"flat-test\", \"title\": \"Flat test\", \"doc\": \"Constant.\", "
+                                              "\"color\": [1, 0, 0], \"parameters\": [], \"claims\": {\"reciprocal\": true} }\n*/\n"
+                                              "vec3 specular(Shading s, Parameters p) { return vec3(0.1); }\n";
+  for (int i = 0; i < 40 && !ui().editor().models().find("flat-test"); ++i) {
+    ui().frames();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ASSERT_TRUE(ui().editor().models().find("flat-test"));
+  document().edit("Model", [](GraphEditor& graph) { return graph.setModel("flat-test"); });
+  ASSERT_TRUE(ui().settle());
+  EXPECT_TRUE(ui().editor().problems().empty()) << ui().editor().problems()[0].text();
+  fs::remove(models / "flat-test.glsl");
+}
+
+TEST_F(EditorTest, ScreenshotShowsTheEditor) {
+  begin();
+  ASSERT_TRUE(ui().settle());
+  EXPECT_GE(ui().editor().shown().samples, 2) << "a still picture is refined";
+  const Image8 picture = ui().screenshot();
+  EXPECT_TRUE(writeImage8(folder() / "editor.png", picture).empty());
+  // The sphere in the middle of the viewport is lit, and the panels have text.
+  const ui::Rect view = ui().rect("Viewport/view");
+  const uint8_t* middle = picture.at(int(view.center().x), int(view.center().y));
+  EXPECT_GT(middle[0] + middle[1] + middle[2], 60);
+  int bright = 0;
+  const ui::Rect scene = ui().rect("Scene/Rotation");
+  for (int y = int(scene.low.y) - 200; y < int(scene.high.y); ++y)
+    for (int x = int(scene.low.x) - 100; x < int(scene.high.x); ++x) bright += picture.at(x, std::max(0, y))[1] > 180;
+  EXPECT_GT(bright, 200);
+  EXPECT_EQ(ui().screenshot(), picture) << "nothing changed, so nothing moves";
+}
+
+TEST_F(EditorTest, TheLayoutIsDraggedAndRemembered) {
+  begin();
+  const ui::Rect bar = ui().rect("splitter0"), before = ui().rect("Viewport/view");
+  ui().drag(bar.center(), {bar.center().x - 120, bar.center().y});
+  const ui::Rect after = ui().rect("Viewport/view");
+  EXPECT_NEAR(before.high.x - after.high.x, 120, 4);
+  const Json kept = ui().editor().layout().toJson();
+  Layout other;
+  other.fromJson(kept, {"Viewport", "Graph", "Properties", "Scene"});
+  EXPECT_TRUE(other.shown("Viewport"));
+  EXPECT_FALSE(other.shown("History")) << "panels that are not known are dropped";
+  ui().click("tab:History");
+  EXPECT_TRUE(ui().editor().layout().visible("History"));
+  EXPECT_TRUE(ui().has("History/start"));
+}
+
+TEST(Journal, KeepsWhatACrashWouldTake) {
+  const fs::path folder = fs::path(GLINT_TESTS_OUT) / "journal";
+  fs::remove_all(folder);
+  const NodeRegistry nodes;
+  Material kept;
+  {
+    Document document(nodes, folder);
+    document.edit("Add", [](GraphEditor& graph) { return graph.addNode("constant", {10, 20}); });
+    document.edit("Add", [](GraphEditor& graph) { return graph.addNode("constant", {30, 20}); });
+    kept = document.material();
+  }
+  // This process lives, so its journal is not offered; under a name of a process that has ended it is.
+  EXPECT_TRUE(Journal::found(folder).empty());
+  const fs::path own = fs::directory_iterator(folder)->path();
+  std::string text = readFile(own).value();
+  fs::remove(own);
+  std::ofstream(folder / "999999999.journal") << text << "glint-journal-record 400\n{ torn";
+  const auto found = Journal::found(folder);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].steps, 2);
+  Document document(nodes, {});
+  EXPECT_TRUE(document.recover(found[0]).empty());
+  EXPECT_EQ(document.material().nodes, kept.nodes);
+  EXPECT_TRUE(document.modified());
+}
+
+TEST(Preview, ReadsBackWhatItWroteAndForgivesDamage) {
+  Preview preview;
+  preview.columns = Preview::Columns::Sweep;
+  preview.lights.push_back({.kind = LightKind::Point, .position = {1, 2, 3}, .candela = 7});
+  preview.tonemap = Tonemap::AgX;
+  preview.exposure = -1.5f;
+  Diagnostics warnings;
+  const Preview back = previewFrom(*parseJson(writeJson(previewJson(preview)), "p"), "p", warnings);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_TRUE(back.sameSettings(preview));
+  const Preview damaged = previewFrom(*parseJson(R"({"exposure": "dark", "tonemap": "acess", "lights": 3})", "p"), "p", warnings);
+  EXPECT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(damaged.exposure, 0);
+}
+
+}  // namespace
+}  // namespace glint
