@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "renderer/image_io.h"
-#include "support/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {

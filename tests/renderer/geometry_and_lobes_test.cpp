@@ -53,8 +53,12 @@ TEST(MeshClusters, NoVisibleTriangleIsSkipped) {
         const glm::vec3 b = mesh->vertices[clustered.indices[i + 1]].position;
         const glm::vec3 c = mesh->vertices[clustered.indices[i + 2]].position;
         const glm::vec3 n = glm::cross(b - a, c - a);
-        if (away) ASSERT_LE(glm::dot(n, eye - a), 1e-6f);
-        if (awayFrom) ASSERT_LE(glm::dot(n, direction), 1e-6f);
+        if (away) {
+          ASSERT_LE(glm::dot(n, eye - a), 1e-6f);
+        }
+        if (awayFrom) {
+          ASSERT_LE(glm::dot(n, direction), 1e-6f);
+        }
       }
     }
   }

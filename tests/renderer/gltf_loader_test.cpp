@@ -8,9 +8,9 @@
 
 #include "materials/base/files.h"
 #include "renderer/image_io.h"
-#include "support/gltf_builder.h"
-#include "support/mutate.h"
-#include "support/temp_folder.h"
+#include "tests/support/gltf_builder.h"
+#include "tests/support/mutate.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {

@@ -11,8 +11,8 @@
 #include <limits>
 
 #include "materials/base/files.h"
-#include "support/mutate.h"
-#include "support/temp_folder.h"
+#include "tests/support/mutate.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {

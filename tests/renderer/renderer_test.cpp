@@ -223,8 +223,12 @@ TEST_F(RendererTest, EveryViewModeDraws) {
     settings.view = mode.id;
     const Image8 image = renderer->picture(std::span(&view, 1), {32, 32}, settings);
     EXPECT_FALSE(image.empty()) << mode.id;
-    if (settings.view == "roughness") EXPECT_NEAR(image.at(16, 16)[0], 153, 1);
-    if (settings.view == "metallic") EXPECT_NEAR(image.at(16, 16)[0], 255, 1);
+    if (settings.view == "roughness") {
+      EXPECT_NEAR(image.at(16, 16)[0], 153, 1);
+    }
+    if (settings.view == "metallic") {
+      EXPECT_NEAR(image.at(16, 16)[0], 255, 1);
+    }
   }
 }
 

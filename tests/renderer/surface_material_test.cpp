@@ -6,7 +6,7 @@
 #include "materials/graph_compile.h"
 #include "materials/model_registry.h"
 #include "renderer/image_io.h"
-#include "support/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
