@@ -85,8 +85,9 @@ void NodeCanvas::zoomAt(ImVec2 screen, int steps) {
 void NodeCanvas::show(ImVec2 low, ImVec2 high) {
   origin_ = {(low.x + high.x) / 2, (low.y + high.y) / 2};
   placed_ = true;
-  const float margin = 40;
-  for (zoomIndex_ = 4; zoomIndex_ > 0; --zoomIndex_)
+  const float margin = 24;
+  // Never so small that titles cannot be read: the rest is a drag away.
+  for (zoomIndex_ = 4; zoomIndex_ > 1; --zoomIndex_)
     if ((high.x - low.x + margin) * unit() <= high_.x - low_.x && (high.y - low.y + margin) * unit() <= high_.y - low_.y) break;
   faces_ = fonts_->canvas()[size_t(zoomIndex_)];
 }
