@@ -39,7 +39,7 @@ void FrameTargets::resize(int width, int height, bool emissive, bool parameters)
     parametersTexture_ = {};
     accumulation_ = {};
     accumulationTexture_ = {};
-    pictures_ = {};
+    ++sizes_;
   }
   width_ = width;
   height_ = height;
@@ -66,7 +66,8 @@ void FrameTargets::bindGbuffer() const {
 FrameTargets::Picture& FrameTargets::nextPicture() {
   picture_ = 1 - picture_;
   Picture& picture = pictures_[picture_];
-  if (!picture.texture) {
+  if (picture.made != sizes_) {
+    picture.made = sizes_;
     picture.texture = nearestTexture(GL_SRGB8_ALPHA8, width_, height_);
     GLuint view = 0;
     glGenTextures(1, &view);

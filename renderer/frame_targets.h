@@ -18,10 +18,12 @@ class FrameTargets {
   void bindGbuffer() const;      // as textures, at the units of shaders/common/gbuffer_read.glsl
 
   // Pictures, shown in turn: SRGB8_ALPHA8 with the frame's depth and stencil attached. `raw` is the same texels as
-  // RGBA8, for whoever shows the texture without decoding it.
+  // RGBA8, for whoever shows the texture without decoding it. One lasts until the second next call, also when the
+  // size changes in between.
   struct Picture {
     gl::Texture texture, raw;
     gl::Framebuffer framebuffer;
+    unsigned made = 0;           // sizes_ when it was
   };
   Picture& nextPicture();
 
@@ -39,6 +41,7 @@ class FrameTargets {
   gl::Framebuffer gbuffer_, accumulation_;
   std::array<Picture, 2> pictures_;
   size_t picture_ = 0;
+  unsigned sizes_ = 0;           // how often the size changed
 };
 
 }  // namespace glint

@@ -213,6 +213,28 @@ TEST_F(RendererTest, BackgroundsAreSoundPixels) {
     }
 }
 
+// Whoever shows a texture may do so until the second next call, also while a window is being resized.
+TEST_F(RendererTest, ATextureOutlivesAChangeOfSize) {
+  Scene scene = sphereScene("ggx", {});
+  const auto draw = [&](int side) {
+    const View view{&scene, orthographic(), {0, 0, side, side}};
+    return renderer->drawToTexture(std::span(&view, 1), {side, side}, {});
+  };
+  const auto width = [](unsigned texture) {
+    GLint w = 0;
+    if (glIsTexture(texture)) glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &w);
+    return w;
+  };
+  const unsigned first = draw(40), second = draw(48);
+  EXPECT_EQ(width(first), 40);
+  const unsigned third = draw(56);
+  EXPECT_EQ(width(second), 48);
+  EXPECT_EQ(width(third), 56);
+  const unsigned fourth = draw(40);
+  EXPECT_EQ(width(fourth), 40);
+  EXPECT_EQ(width(third), 56);
+}
+
 TEST_F(RendererTest, EveryViewModeDraws) {
   Scene scene = sphereScene("burley", {.baseColor = {0.9f, 0.5f, 0.2f}, .metallic = 1, .roughness = 0.6f});
   scene.environment = test::uniformEnvironment(1);
