@@ -105,7 +105,8 @@ void RenderThread::run() {
         if (fraction >= 1) progress_.reset();
         else progress_ = Progress{what, fraction};
       }
-      if (since(lastWake) < 50 && fraction < 1) return;
+      // Not more often: on software GL each frame of the window takes its time from the work it reports on.
+      if (since(lastWake) < 200 && fraction < 1) return;
       lastWake = Clock::now();
       wake_();
     });
