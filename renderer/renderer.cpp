@@ -268,6 +268,8 @@ struct Renderer::State {
     }
     glFrontFace(GL_CCW);
     glDisable(GL_CULL_FACE);
+    // Depth is read in lighting while it stays attached for its stencil; nothing writes it then.
+    glTextureBarrier();
   }
 
   void bindMaterial(const gl::Program& program, const SurfaceMaterial& material, const ReadyView& r, size_t index, int group) {
@@ -288,6 +290,7 @@ struct Renderer::State {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width(), targets.height());
     glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
     glEnable(GL_STENCIL_TEST);
     glStencilMask(0);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
