@@ -75,10 +75,10 @@ class Builder {
 
   NodeId add(const char* kind, const char* wish, Column column) {
     constexpr float kX[kColumns] = {-1240, -980, -640, -320};
-    constexpr float kRow = 150;
+    constexpr float kRow[kColumns] = {150, 240, 150, 150};   // a sample has many pins
     const NodeId id = freeNodeId(graph_, wish);
     graph_.nodes[id].kind = kind;
-    graph_.layout[id] = {kX[column], kRow * float(rows_[column]++)};
+    graph_.layout[id] = {kX[column], kRow[column] * float(rows_[column]++)};
     return id;
   }
   void set(const NodeId& id, const char* key, Json value) { graph_.nodes[id].settings[key] = std::move(value); }

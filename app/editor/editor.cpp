@@ -139,6 +139,10 @@ void Editor::frame(glm::ivec2 framebuffer, float deltaSeconds) {
     framedSubject_ = shown().subject;
     if (shown().subject != "comparison") frameSubject();
   }
+  if (!adoptMesh_.empty() && shown().subject == adoptMesh_) {
+    adoptMesh_.clear();
+    takeMeshMaterial(0);
+  }
   ImGui::NewFrame();
   ui::beginFrame(fonts_);
   const bool held = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
@@ -229,6 +233,9 @@ void Editor::openFile(const fs::path& file) {
     preview.subject = Preview::Subject::Mesh;
     preview.mesh = whole;
     preview.ownMaterials = true;
+    preview.editedSlot = -1;
+    // Who opens a mesh before anything else comes to edit its material.
+    adoptMesh_ = document_->file().empty() && document_->steps().empty() ? whole : std::string();
     document_->setPreview("Show " + name, preview);
     layout_.show("Viewport");
   } else if (extension == ".hdr" || extension == ".exr" || extension == ".pfm") {
@@ -325,15 +332,20 @@ void Editor::openLibrary(const std::string& name) {
   });
 }
 
-void Editor::editCopy(const Material& original) {
-  afterAsking([this, original] {
-    Material copy = original;
-    copy.lines.reset();
-    Preview preview = document_->preview();
-    preview.ownMaterials = false;
-    document_->startNew(std::move(copy), preview);
-    selection_.clear();
-  });
+void Editor::editMeshMaterial(int slot) {
+  afterAsking([this, slot] { takeMeshMaterial(slot); });
+}
+
+void Editor::takeMeshMaterial(int slot) {
+  const auto& own = shown().meshMaterials;
+  if (slot < 0 || slot >= static_cast<int>(own.size())) return;
+  Material copy = *own[static_cast<size_t>(slot)];
+  copy.lines.reset();
+  Preview preview = document_->preview();
+  preview.ownMaterials = true;
+  preview.editedSlot = slot;
+  document_->startNew(std::move(copy), preview);
+  selection_.clear();
 }
 
 void Editor::save(std::function<void()> then) {

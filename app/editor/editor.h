@@ -86,7 +86,8 @@ class Editor {
   void newDocument();
   void openDocument();
   void openLibrary(const std::string& name);        // a copy of a shipped material, unsaved
-  void editCopy(const Material&);                    // the same for any other, one of a mesh's for example
+  // The same for a material of the mesh that is shown; from then on the edited one stands in its place.
+  void editMeshMaterial(int slot);
   void save(std::function<void()> then = {});
   void saveAs(bool project, std::function<void()> then = {});
 
@@ -99,6 +100,7 @@ class Editor {
   void postRequest();
   void collectProblems();
   void openDocumentFile(const std::filesystem::path&);
+  void takeMeshMaterial(int slot);
   void afterAsking(std::function<void()> action);   // when unsaved work would be dropped
   void installModel(const std::filesystem::path&);
   void loadStandard();
@@ -124,6 +126,7 @@ class Editor {
   glm::ivec2 viewportSize_{0};
   bool wantCode_ = false;
   std::string framedSubject_;
+  std::string adoptMesh_;                            // its first material becomes the document once it is read
   bool frameWanted_ = false;
 
   // What the last request was made of.

@@ -148,7 +148,7 @@ Camera Orbit::camera(float sceneRadius) const {
 bool Preview::sameSettings(const Preview& o) const {
   const auto key = [](const Preview& p) {
     return std::tie(p.subject, p.models, p.columns, p.materials, p.sweepName, p.sweepFrom, p.sweepTo, p.sweepCount,
-                    p.mesh, p.ownMaterials, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
+                    p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
                     p.exposure, p.tonemap, p.background);
   };
   return key(*this) == key(o) && backgroundColor == o.backgroundColor && sameLights(lights, o.lights);
@@ -167,6 +167,7 @@ Json previewJson(const Preview& p) {
   sweep.set("count", Json::of(p.sweepCount));
   json.set("mesh", Json::of(p.mesh));
   json.set("ownMaterials", Json::of(p.ownMaterials));
+  json.set("editedSlot", Json::of(p.editedSlot));
   json.set("environment", Json::of(p.environment));
   json.set("environmentRotation", Json::of(p.environmentRotation));
   json.set("environmentIntensity", Json::of(p.environmentIntensity));
@@ -210,6 +211,7 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   }
   reader.read("mesh", p.mesh);
   reader.read("ownMaterials", p.ownMaterials);
+  reader.read("editedSlot", p.editedSlot, -1, 1 << 16);
   reader.read("environment", p.environment);
   reader.read("environmentRotation", p.environmentRotation, -36000, 36000);
   reader.read("environmentIntensity", p.environmentIntensity, 0, 1e4f);

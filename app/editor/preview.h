@@ -41,6 +41,7 @@ struct Preview {
   // Mesh: a shape's name, or a glTF file.
   std::string mesh = "shaderball";
   bool ownMaterials = false;            // draw a glTF file with its own materials instead of the edited one
+  int editedSlot = -1;                  // but for this one of them, which the edited material stands in for; -1: none
 
   std::string environment = "studio";   // a name or a file
   float environmentRotation = 0;        // degrees about +Y

@@ -254,10 +254,12 @@ void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
   }
   const bool own = preview.ownMaterials && !meshMaterials.empty();
   for (size_t i = 0; own && i < meshMaterials.size(); ++i) {
-    const MaterialPtr& material = meshMaterials[i];
+    const bool edited = static_cast<int>(i) == preview.editedSlot;
+    const MaterialPtr& material = edited ? request.material : meshMaterials[i];
     const ModelPtr shading = model(request, material->model, material->place());
+    const uint64_t revision = edited ? request.materialRevision : reinterpret_cast<uintptr_t>(material.get());
     const SurfaceMaterial* drawn =
-        shading ? surface("mesh " + std::to_string(i), material, reinterpret_cast<uintptr_t>(material.get()), shading, {}) : nullptr;
+        shading ? surface(edited ? "edited" : "mesh " + std::to_string(i), material, revision, shading, {}) : nullptr;
     built.materials.push_back(drawn ? *drawn : SurfaceMaterial{});
     if (!drawn) built.instances.clear();
     if (i < gltf_->doubleSided.size()) built.materials.back().doubleSided = gltf_->doubleSided[i];

@@ -56,11 +56,11 @@ class LibraryPanel final : public Panel {
       document.setPreview("Leave out " + std::filesystem::path(remove).filename().string(), preview);
     }
     const std::vector<MaterialPtr>& own = editor.shown().meshMaterials;
-    MaterialPtr copied;
+    int copied = -1;
     if (!own.empty() && ui::section("Of the mesh"))
       for (size_t i = 0; i < own.size(); ++i)
-        if (ui::row("mesh" + std::to_string(i), own[i]->name, "edit a copy", false)) copied = own[i];
-    if (copied) editor.editCopy(*copied);
+        if (ui::row("mesh" + std::to_string(i), own[i]->name, int(i) == editor.document().preview().editedSlot ? "being edited" : "edit", false)) copied = int(i);
+    if (copied >= 0) editor.editMeshMaterial(copied);
     ImGui::Dummy({0, theme::px(4)});
     if (ui::button("Compare with a file\u2026"))
       editor.browse({.title = "Choose a material to compare with", .extensions = {".json"},

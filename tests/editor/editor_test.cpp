@@ -10,6 +10,7 @@
 #include "materials/material_json.h"
 #include "materials/material_library.h"
 #include "renderer/image_io.h"
+#include "tests/support/gltf_builder.h"
 
 namespace glint {
 namespace {
@@ -236,6 +237,34 @@ TEST_F(EditorTest, DroppedFilesAreUsedAndBadOnesSaidSo) {
   ASSERT_TRUE(ui().settle());
   EXPECT_TRUE(std::any_of(ui().editor().problems().begin(), ui().editor().problems().end(),
                           [](const Diagnostic& d) { return d.place.find("broken.glb") != std::string::npos; }));
+}
+
+// Whoever opens a mesh first of all edits its first material, and sees it on the surfaces that wear it.
+TEST_F(EditorTest, AMeshBringsItsMaterialAlong) {
+  test::GltfBuilder builder;
+  for (const char* name : {"Red", "Blue"})
+    builder.push("materials", {{"name", name}, {"emissiveFactor", {name[0] == 'R' ? 1 : 0, 0, name[0] == 'B' ? 1 : 0}}});
+  builder.showTriangle({{"material", 1}});
+  builder.showTriangle({{"material", 0}});
+  std::ofstream(folder() / "two.glb", std::ios::binary) << builder.glb();
+  begin();
+  ui().editor().openFile(folder() / "two.glb");
+  ASSERT_TRUE(ui().settle());
+  const NodeId output = document().material().outputNode();
+  EXPECT_EQ(document().material().name, "red");
+  EXPECT_EQ(document().preview().editedSlot, 0);
+  EXPECT_TRUE(document().steps().empty());
+  const Image8 before = ui().screenshot();
+  EXPECT_TRUE(document().edit("Green", [&](GraphEditor& graph) { return graph.setValue({output, "baseColor"}, Value::color(0, 1, 0)); }).empty());
+  EXPECT_TRUE(document().edit("Dark", [&](GraphEditor& graph) { return graph.disconnect({output, "emissive"}); }).empty());
+  ASSERT_TRUE(ui().settle());
+  EXPECT_NE(ui().screenshot(), before);
+
+  // With work in hand a mesh is only shown.
+  ui().editor().openFile(folder() / "two.glb");
+  ASSERT_TRUE(ui().settle());
+  EXPECT_EQ(document().preview().editedSlot, -1);
+  EXPECT_GE(document().steps().size(), 2u);
 }
 
 TEST_F(EditorTest, AsksBeforeWorkIsLost) {
