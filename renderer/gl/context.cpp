@@ -72,6 +72,14 @@ void Context::loadFunctions(void* (*getProcAddress)(const char*)) {
   info_.software = info_.renderer.find("llvmpipe") != std::string::npos ||
                    info_.renderer.find("softpipe") != std::string::npos;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info_.maxTextureSize);
+  functionsLoaded_ = true;
+  setStandardState();
+}
+
+void Context::setStandardState() {
+  // Who loads the functions comes here before it has them.
+  if (standardState_ || !functionsLoaded_) return;
+  standardState_ = true;
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(onDebugMessage, nullptr);

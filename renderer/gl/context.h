@@ -50,7 +50,18 @@ class Context {
 
  protected:
   void loadFunctions(void* (*getProcAddress)(const char*));  // once current
+  // The state that Glint counts on in every context: debug output, seamless cubes, tight rows. Each back end calls it
+  // in makeCurrent(); only the first call does anything.
+  void setStandardState();
+  // A context that shares another's objects takes what was found out there.
+  void shareFunctions(const Info& info) {
+    info_ = info;
+    functionsLoaded_ = true;
+  }
   Info info_;
+
+ private:
+  bool functionsLoaded_ = false, standardState_ = false;
 };
 
 // Errors since the process started, from debug output (GL_DEBUG_TYPE_ERROR, or severity high) on any

@@ -74,6 +74,7 @@ class EglBackend final : public Context {
   void makeCurrent() override {
     current_ = makeCurrent(context_);
     GLINT_CHECK(current_, "eglMakeCurrent");
+    setStandardState();
   }
   void release() override {
     makeCurrent(EGL_NO_CONTEXT);
@@ -97,7 +98,7 @@ class EglBackend final : public Context {
       return error("egl", "gives no OpenGL 4.5 core context", "use --backend osmesa");
     auto made = std::make_unique<EglBackend>(context);
     if (info) {
-      made->info_ = *info;
+      made->shareFunctions(*info);
     } else {
       made->makeCurrent();
       made->loadFunctions(egl.getProcAddress);

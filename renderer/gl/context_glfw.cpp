@@ -21,7 +21,10 @@ class GlfwBackend final : public Context {
     if (owner_) glfwTerminate();
   }
   Backend backend() const override { return Backend::Glfw; }
-  void makeCurrent() override { glfwMakeContextCurrent(window_); }
+  void makeCurrent() override {
+    glfwMakeContextCurrent(window_);
+    setStandardState();
+  }
   void release() override { glfwMakeContextCurrent(nullptr); }
   GLFWwindow* window() const override { return window_; }
   Result<std::unique_ptr<Context>> createShared() override {
@@ -48,7 +51,7 @@ class GlfwBackend final : public Context {
     }
     auto made = std::make_unique<GlfwBackend>(window, share == nullptr);
     if (share) {
-      made->info_ = share->info_;
+      made->shareFunctions(share->info_);
     } else {
       made->makeCurrent();
       made->loadFunctions(reinterpret_cast<void* (*)(const char*)>(glfwGetProcAddress));

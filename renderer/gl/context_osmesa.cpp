@@ -50,6 +50,7 @@ class OsMesaBackend final : public Context {
     // OSMesa insists on a window-system buffer; Glint draws to framebuffer objects only.
     current_ = OsMesa::get()->makeCurrent(context_, buffer_.data(), kUnsignedByte, kSide, kSide);
     GLINT_CHECK(current_, "OSMesaMakeCurrent");
+    setStandardState();
   }
   void release() override {
     OsMesa::get()->makeCurrent(nullptr, nullptr, 0, 0, 0);
@@ -67,7 +68,7 @@ class OsMesaBackend final : public Context {
     if (!context) return error("osmesa", "gives no OpenGL 4.5 core context", "use --backend egl");
     auto made = std::make_unique<OsMesaBackend>(context);
     if (info) {
-      made->info_ = *info;
+      made->shareFunctions(*info);
     } else {
       made->makeCurrent();
       made->loadFunctions(mesa->getProcAddress);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "renderer/gl/context.h"
 
 // Every test of every executable ends with the same question: did OpenGL complain?
@@ -14,6 +16,10 @@ class NoGlErrors : public testing::EmptyTestEventListener {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // The same everywhere, and nothing of the user's is read or written; the program under test inherits it.
+  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+  setenv("XDG_CACHE_HOME", GLINT_TESTS_OUT "/../cache", 1);
+  setenv("XDG_CONFIG_HOME", GLINT_TESTS_OUT "/../config", 1);
   testing::InitGoogleTest(&argc, argv);
   testing::UnitTest::GetInstance()->listeners().Append(new NoGlErrors);
   return RUN_ALL_TESTS();
