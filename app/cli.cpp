@@ -157,7 +157,7 @@ Result<Parsed> parse(std::vector<std::string> words) {
     }
     CLI::Option* added = to.add_option(option.name, values, option.help)->type_name(option.argument);
     // A repeatable positional takes all the words there are; an option one at a time.
-    if (!isPositional(option) || !option.repeatable) added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    if (!isPositional(option) || !option.repeatable) added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
   };
   for (const Option& option : commonOptions()) add(app, option, common[keyOf(option.name)]);
   for (const Command* command : commands()) {

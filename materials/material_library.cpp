@@ -28,7 +28,7 @@ Result<Material> loadMaterial(const std::string& nameOrPath, const NodeRegistry&
       const std::filesystem::path file = shipped::onDisk(path);
       return parseMaterial(*text, file.empty() ? std::filesystem::path(path) : file, registry, warnings);
     }
-    return error(fmt::format("material '{}'", nameOrPath), "is not in the library",
+    return error(fmt::format("material '{}'", nameOrPath), fmt::format("there is no '{}' in the library", nameOrPath),
                  suggestion(nameOrPath, libraryMaterialNames()));
   }
   return readMaterial(nameOrPath, registry, warnings);

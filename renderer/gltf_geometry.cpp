@@ -262,11 +262,4 @@ Result<Mesh> gltfMesh(const tinygltf::Model& model, const tinygltf::Primitive& p
   return mesh;
 }
 
-Mesh mirrored(const Mesh& mesh) {
-  Mesh out = mesh;
-  for (size_t i = 0; i + 2 < out.indices.size(); i += 3) std::swap(out.indices[i + 1], out.indices[i + 2]);
-  for (Vertex& v : out.vertices) v.tangent.w = -v.tangent.w;
-  return out;
-}
-
 }  // namespace glint

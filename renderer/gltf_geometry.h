@@ -22,7 +22,5 @@ bool hasTriangles(const tinygltf::Primitive&);
 Result<Mesh> gltfMesh(const tinygltf::Model&, const tinygltf::Primitive&, int normalMapTexCoord,
                       const std::string& place);
 
-// The same mesh for a transform that mirrors: triangles turned round, bitangents with them.
-Mesh mirrored(const Mesh&);
 
 }  // namespace glint

@@ -101,7 +101,7 @@ class Loader {
   GltfMaterial material(const tinygltf::Material&, size_t index);
 
   struct Primitive {
-    MeshPtr mesh, mirroredMesh;
+    MeshPtr mesh;
     int material = -1;
   };
   int materialOf(int index);
@@ -339,14 +339,9 @@ void Loader::addNode(const tinygltf::Node& node, const glm::mat4& worldFromModel
   if (node.skin >= 0) warnOnce("has skinned meshes", "they are drawn as they are modelled, without their skeleton");
   // A skinned mesh lies where its skeleton puts it, whatever its node says.
   const glm::mat4 place = node.skin >= 0 ? glm::mat4(1) : worldFromModel;
-  const bool mirrors = glm::determinant(glm::mat3(place)) < 0;
-  for (Primitive& primitive : meshes_[size_t(node.mesh)]) {
-    if (!primitive.mesh) continue;
-    if (mirrors && !primitive.mirroredMesh)
-      primitive.mirroredMesh = std::make_shared<const Mesh>(mirrored(*primitive.mesh));
-    const MeshPtr& mesh = mirrors ? primitive.mirroredMesh : primitive.mesh;
-    file_.nodes.push_back({node.name.empty() ? mesh->name : node.name, mesh, place, primitive.material});
-  }
+  for (const Primitive& primitive : meshes_[size_t(node.mesh)])
+    if (primitive.mesh)
+      file_.nodes.push_back({node.name.empty() ? primitive.mesh->name : node.name, primitive.mesh, place, primitive.material});
 }
 
 void Loader::readNodes() {

@@ -440,7 +440,7 @@ struct Renderer::State {
       if (settings.view == candidate.id) break;
       ++mode;
     }
-    std::vector<std::string> defines;
+    std::vector<std::string> defines = outputDefines(settings, output);
     if (emissive) defines.push_back("EMISSIVE");
     if (parameters) defines.push_back("READS_PARAMETERS");
     const gl::Program& program = programs.shipped(tileVertex(), {"shaders/passes/buffer_view.frag", defines, {}});

@@ -105,7 +105,7 @@ const Command kRenderCommand = {
     .options = options(),
     .examples = {"glint render -o sphere.png",
                  "glint render helmet.glb --env sky --background blur --tonemap aces -o helmet.png",
-                 "glint render --mesh shaderball --material rusty-metal --model ggx --samples 16 -o ball.png",
+                 "glint render --mesh shaderball --material painted-metal --model ggx --samples 16 -o ball.png",
                  "glint render --set roughness=0.2 --set metallic=1 --light directional:dir=1/1/1,lux=3.14 --env none -o lit.exr"},
     .run = run,
 };

@@ -46,11 +46,11 @@ void Editor::handleShortcuts() {
   if (files_.isOpen()) return;
   if (shortcut(kControl, Key::Z, true)) document_->undo();
   if (shortcut(kControlShift, Key::Z, true) || shortcut(kControl, Key::Y, true)) document_->redo();
-  if (shortcut(kControl, Key::S)) save();
-  if (shortcut(kControlShift, Key::S)) saveAs(document_->isProject());
-  if (shortcut(kControl, Key::O)) openDocument();
-  if (shortcut(kControl, Key::N)) newDocument();
-  if (shortcut(kControl, Key::Q)) requestQuit();
+  if (fileShortcut(kControl, Key::S)) save();
+  if (fileShortcut(kControlShift, Key::S)) saveAs(document_->isProject());
+  if (fileShortcut(kControl, Key::O)) openDocument();
+  if (fileShortcut(kControl, Key::N)) newDocument();
+  if (fileShortcut(kControl, Key::Q)) requestQuit();
   if (shortcut(kNoModifiers, Key::F1)) keysOpen_ = true;
 }
 

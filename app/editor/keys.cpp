@@ -59,6 +59,8 @@ bool shortcut(Modifiers wanted, Key key, bool repeat) {
   return !ImGui::GetIO().WantTextInput && modifiers() == wanted && keyPressed(key, repeat);
 }
 
+bool fileShortcut(Modifiers wanted, Key key) { return modifiers() == wanted && keyPressed(key, false); }
+
 std::string shortcutText(Modifiers wanted, Key key) {
   std::string text;
   if (wanted.control) text += "Ctrl+";

@@ -30,6 +30,8 @@ Modifiers modifiers();
 
 // The key went down with exactly these modifiers and no text is being typed.
 bool shortcut(Modifiers, Key, bool repeat = false);
+// The same for commands on whole files, which also hold while a text field has the keyboard.
+bool fileShortcut(Modifiers, Key);
 // "Ctrl+Shift+Z", for menus.
 std::string shortcutText(Modifiers, Key);
 

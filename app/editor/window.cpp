@@ -164,7 +164,8 @@ int runWindow(gl::Context& context, EditorOptions options, const std::vector<std
     }
     // Sleeps until something happens; looks at the plugins' files four times a second. A caret blinks meanwhile.
     glfwWaitEventsTimeout(0.25);
-    if (editor.hasNews() || ImGui::GetIO().WantTextInput) window.framesWanted = std::max(window.framesWanted, 2);
+    if (editor.hasNews()) window.framesWanted = std::max(window.framesWanted, 2);
+    else if (ImGui::GetIO().WantTextInput) window.framesWanted = std::max(window.framesWanted, 1);
   }
   for (GLFWcursor* cursor : window.cursors)
     if (cursor) glfwDestroyCursor(cursor);

@@ -7,8 +7,11 @@ layout(location = 0) out vec4 outColor;
 uniform int mode;
 uniform vec4 groupColors[256];  // by light group, linear
 
-// Data shows on the screen as its number: undoes the encoding of the target.
+// Data shows on the screen as its number: undoes the encoding of the target. A linear picture has none.
 vec3 shown(vec3 x) {
+#ifdef SCENE_REFERRED
+  return x;
+#endif
   x = clamp(x, 0.0, 1.0);
   return mix(x / 12.92, pow((x + 0.055) / 1.055, vec3(2.4)), greaterThan(x, vec3(0.04045)));
 }
@@ -39,5 +42,8 @@ void main() {
     float load = min(float(inLights.y) / 64.0, 1.0);
     c = inLights.y == 0 ? vec3(0.0) : mix(vec3(0.0, 0.08, 0.4), vec3(1.0, 0.35, 0.0), load);
   }
-  outColor = vec4(clamp(c, 0.0, 1.0), 1.0);
+#ifndef SCENE_REFERRED
+  c = clamp(c, 0.0, 1.0);
+#endif
+  outColor = vec4(c, 1.0);
 }

@@ -22,7 +22,8 @@ void main() {
   outPosition = position.xyz;
   outLocalPosition = inPosition;
   outNormal = mat3(normalFromModel) * inNormal;
-  outTangent = vec4(mat3(worldFromModel) * inTangent.xyz, inTangent.w);
+  // A transform that mirrors turns the tangent frame over.
+  outTangent = vec4(mat3(worldFromModel) * inTangent.xyz, inTangent.w * sign(determinant(mat3(worldFromModel))));
   outUv0 = inUv0;
   outUv1 = inUv1;
   outColor = inColor;

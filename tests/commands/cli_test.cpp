@@ -84,5 +84,12 @@ TEST(CommandLine, NoContextIsThree) {
   EXPECT_EQ(ran.err.rfind("glint: error: ", 0), 0u) << ran.err;
 }
 
+// An option that may be repeated takes one word each time, not the file after it.
+TEST(CommandLine, ARepeatableOptionLeavesTheFileAlone) {
+  const auto ran = glint({"render", "--models-dir", ".", "nowhere.glb", "-o", "x.png"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("nowhere.glb: no such file"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace glint

@@ -184,19 +184,6 @@ TEST_F(Gltf, NodesCompose) {
   EXPECT_NEAR(glm::length(origin - glm::vec3(1, 12, 3)), 0, 1e-4);  // (5,0,0) scaled, turned by 90 degrees, moved
 }
 
-TEST_F(Gltf, MirroringTurnsTheTrianglesRound) {
-  GltfBuilder b;
-  b.showTriangle();
-  b.json["nodes"][0]["scale"] = {-1, 1, 1};
-  b.json["nodes"].push_back({{"mesh", 0}});
-  b.json["scenes"][0]["nodes"].push_back(1);
-  const GltfFile file = good(b.glb());
-  const Mesh &mirrored = *file.nodes.at(0).mesh, &plain = *file.nodes.at(1).mesh;
-  EXPECT_EQ(plain.indices, (std::vector<uint32_t>{0, 1, 2}));
-  EXPECT_EQ(mirrored.indices, (std::vector<uint32_t>{0, 2, 1}));
-  EXPECT_EQ(mirrored.vertices[0].tangent.w, -plain.vertices[0].tangent.w);
-}
-
 TEST_F(Gltf, SharedMeshesStayShared) {
   GltfBuilder b;
   b.showTriangle();

@@ -213,6 +213,37 @@ TEST_F(RendererTest, BackgroundsAreSoundPixels) {
     }
 }
 
+// A negative scale turns triangles inside out, and the renderer turns them back: one-sided surfaces stay visible from
+// the side they face.
+TEST_F(RendererTest, MirroredInstancesFaceTheSameWay) {
+  auto quad = std::make_shared<Mesh>();
+  for (const glm::vec2 p : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) quad->vertices.push_back({.position = {p, 0}});
+  quad->indices = {0, 1, 2, 0, 2, 3};
+  Scene scene;
+  scene.materials.push_back(test::material(models->find("ggx"), {}));
+  scene.lights.push_back({.direction = glm::normalize(glm::vec3(0.3f, 0.2f, 1))});
+  scene.instances.push_back({quad, glm::mat4(1), 0});
+  const float plain = center(linear(scene, orthographic()));
+  EXPECT_GT(plain, 0.1f);
+  for (const glm::vec3 scale : {glm::vec3(-1, 1, 1), {1, -1, 1}, {-1, -1, 1}}) {
+    for (int i = 0; i < 3; ++i) scene.instances[0].worldFromModel[i][i] = scale[i];
+    for (const bool doubleSided : {false, true}) {
+      scene.materials[0].doubleSided = doubleSided;
+      EXPECT_NEAR(center(linear(scene, orthographic())), plain, 1e-4f) << scale.x << scale.y << doubleSided;
+    }
+  }
+}
+
+// Data is its number in a linear picture; only a display needs it encoded.
+TEST_F(RendererTest, LinearPicturesOfDataHoldTheNumbers) {
+  Scene scene = sphereScene("ggx", {.metallic = 0.25f, .roughness = 0.5f});
+  RenderSettings settings;
+  settings.view = "roughness";
+  EXPECT_NEAR(center(linear(scene, orthographic(), 32, settings)), 0.5f, 1e-3f);
+  settings.view = "metallic";
+  EXPECT_NEAR(center(linear(scene, orthographic(), 32, settings)), 0.25f, 1e-3f);
+}
+
 // Whoever shows a texture may do so until the second next call, also while a window is being resized.
 TEST_F(RendererTest, ATextureOutlivesAChangeOfSize) {
   Scene scene = sphereScene("ggx", {});
