@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
+
+#include "materials/glsl_words.h"
 
 namespace glint {
 namespace {
@@ -123,7 +126,7 @@ class Scanner {
     const std::string text = directiveText();
     size_t at = 0;
     const std::string word = takeName(text, at);
-    if (word == "version" || word == "extension" || word == "include" || word == "line") {
+    if (word == "version" || word == "extension" || word == "include" || word == "line" || word == "pragma") {
       fault(line, fmt::format("#{} is not for a plugin", word), "Glint writes what comes around it");
     } else if (word == "if" || word == "ifdef" || word == "ifndef") {
       conditions_.push_back(line);
@@ -131,18 +134,24 @@ class Scanner {
     } else if (word == "endif") {
       if (conditions_.empty()) fault(line, "#endif without an #if", "");
       else conditions_.pop_back();
+    } else if (word == "undef") {
+      const std::string macro = takeName(text, at);
+      if (std::find(scan_.macros.begin(), scan_.macros.end(), macro) == scan_.macros.end())
+        fault(line, fmt::format("'{}' is no macro of this file", macro), "#undef is for macros defined above");
     } else if (word == "define") {
       const std::string macro = takeName(text, at);
       if (at < text.size() && text[at] == '(') {
         fault(line, fmt::format("the macro '{}' has arguments", macro), "write a function");
         return;
       }
+      if (isGlslWord(macro)) fault(line, fmt::format("'{}' is a word of GLSL", macro), "choose another name for the macro");
       scan_.macros.push_back(macro);
       scan_.names.push_back({macro, line});
       auto& uses = macroUses_[macro];
       while (at < text.size()) {
         const size_t before = at;
         std::string name = takeName(text, at);
+        checkWord(name, line);
         if (!name.empty()) uses.push_back(std::move(name));
         else at = std::max(at, before) + 1;
       }
@@ -177,6 +186,10 @@ class Scanner {
     const Token token{text_.substr(at_, end - at_), line_};
     at_ = end;
     countTokens(token);
+    // After a dot it is a member's name.
+    if (token.isName() && !(previous_ && previous_->text == ".")) checkWord(token.text, token.line);
+    noteCalls(token);
+    previous_ = token;
     const bool inBody = !open_.empty() && open_.front().text[0] == '{';
     const char c = token.text[0];
     if (c == '(' || c == '[' || c == '{') {
@@ -195,7 +208,10 @@ class Scanner {
       }
       open_.pop_back();
       if (c != '}' && !inBody) statement_.push_back(token);
-      if (c == '}' && open_.empty() && !keepsStatement_) statement_.clear();
+      if (c == '}' && open_.empty()) {
+        inFunction_ = false;
+        if (!keepsStatement_) statement_.clear();
+      }
       return;
     }
     if (inBody) return;
@@ -205,6 +221,28 @@ class Scanner {
     }
     noteStatement();
     statement_.clear();
+  }
+
+  void checkWord(std::string_view word, int line) {
+    if (auto found = faultOfWord(word)) fault(line, std::move(found->what), std::move(found->hint));
+  }
+
+  // Called before `token` opens or closes anything.
+  void noteCalls(const Token& token) {
+    if (!inFunction_) return;
+    const char c = token.text[0];
+    auto& calls = scan_.functions.back().calls;
+    if (!openCalls_.empty() && c != ')') {
+      GlslCall& inner = calls[openCalls_.back().call];
+      if (inner.arguments == 0) inner.arguments = 1;
+      if (c == ',' && open_.size() == openCalls_.back().depth) ++inner.arguments;
+    }
+    if (c == '(' && previous_ && previous_->isName()) {
+      openCalls_.push_back({calls.size(), open_.size() + 1});
+      calls.push_back({std::string(previous_->text), 0, previous_->line});
+    } else if (c == ')' && !openCalls_.empty() && openCalls_.back().depth == open_.size()) {
+      openCalls_.pop_back();
+    }
   }
 
   void countTokens(const Token& token) {
@@ -235,7 +273,7 @@ class Scanner {
     const size_t at = functionName();
     if (at == std::string::npos) return;
     GlslFunction function{std::string(statement_[at - 1].text), std::string(statement_[at].text), {},
-                          statement_[at].line,
+                          statement_[at].line, {},
                           commentEnd_ + 1 == statement_[0].line ? comment_ : std::string()};
     // Of each parameter the last word that is followed by a word, which is its type.
     for (size_t i = at + 2; i + 1 < statement_.size(); ++i) {
@@ -248,6 +286,8 @@ class Scanner {
       if (!type.empty() && type != "void") function.parameterTypes.push_back(type);
     }
     scan_.functions.push_back(std::move(function));
+    inFunction_ = true;
+    openCalls_.clear();
   }
 
   void noteStatement() {
@@ -257,8 +297,8 @@ class Scanner {
       if (token.text == "(" || token.text == "[") ++brackets;
       if (token.text == ")" || token.text == "]") --brackets;
       if (brackets || !token.isName()) continue;
-      static constexpr std::string_view kForbidden[] = {"uniform", "buffer", "shared", "layout",
-                                                        "in",      "out",    "attribute", "varying"};
+      static constexpr std::string_view kForbidden[] = {"uniform", "buffer", "shared", "layout",    "in",
+                                                        "out",     "attribute", "varying", "subroutine"};
       if (std::find(std::begin(kForbidden), std::end(kForbidden), token.text) != std::end(kForbidden)) {
         fault(token.line, fmt::format("'{}' is not for a plugin", token.text),
               "declare a parameter in the head: it becomes a member of Parameters");
@@ -300,7 +340,12 @@ class Scanner {
   std::string_view text_;
   size_t at_ = 0;
   int line_ = 1;
-  bool lineHasToken_ = false, keepsStatement_ = false;
+  bool lineHasToken_ = false, keepsStatement_ = false, inFunction_ = false;
+  std::optional<Token> previous_;
+  struct OpenCall {
+    size_t call, depth;  // its index in the function's calls; how many brackets are open inside it
+  };
+  std::vector<OpenCall> openCalls_;
   size_t run_ = 0, elses_ = 0, total_ = 0;
   std::string comment_;
   int commentEnd_ = -1;

@@ -9,10 +9,17 @@
 
 namespace glint {
 
+struct GlslCall {
+  std::string name;
+  size_t arguments = 0;
+  int line = 0;
+};
+
 struct GlslFunction {
   std::string returnType, name;
   std::vector<std::string> parameterTypes;
   int line = 0;
+  std::vector<GlslCall> calls;  // in its body: of functions, constructors and macros
   std::string comment;   // of `//` lines directly above, without the slashes
   bool takes(const std::vector<std::string>& types) const { return parameterTypes == types; }
 };

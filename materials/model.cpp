@@ -6,7 +6,9 @@
 #include "materials/attributes.h"
 #include "materials/base/hash.h"
 #include "materials/front_matter.h"
+#include "materials/glsl_recursion.h"
 #include "materials/glsl_scan.h"
+#include "materials/glsl_words.h"
 #include "materials/terms.h"
 #include "shaders/shipped_files.h"
 
@@ -15,18 +17,6 @@ namespace {
 
 constexpr size_t kLargestModel = size_t{256} << 10, kMostParameters = 32;
 
-// Words that cannot be the name of a struct's member in GLSL 4.50.
-const std::vector<std::string_view> kGlslWords = {
-    "attribute", "bool",     "break",    "buffer",   "bvec2",   "bvec3",    "bvec4",    "case",      "centroid",
-    "coherent",  "const",    "continue", "default",  "discard", "do",       "double",   "else",      "false",
-    "flat",      "float",    "for",      "goto",     "half",    "highp",    "if",       "image2D",   "in",
-    "inout",     "input",    "int",      "invariant", "isampler2D", "ivec2", "ivec3",    "ivec4",     "layout",
-    "long",      "lowp",     "mat2",     "mat3",     "mat4",    "mediump",  "namespace", "noperspective", "out",
-    "output",    "patch",    "precise",  "precision", "readonly", "restrict", "return", "sample",    "sampler2D",
-    "sampler3D", "samplerCube", "shared", "short",   "smooth",  "struct",   "subroutine", "switch",  "this",
-    "true",      "uint",     "uniform",  "unsigned", "using",   "uvec2",    "uvec3",    "uvec4",     "varying",
-    "vec2",      "vec3",     "vec4",     "void",     "volatile", "while",   "writeonly"};
-
 // What is wrong with a name for a member of `Parameters`, or nothing.
 std::string faultOfName(const std::string& name) {
   if (name.empty() || name.size() > 64 || std::isdigit(static_cast<unsigned char>(name[0])) ||
@@ -34,7 +24,7 @@ std::string faultOfName(const std::string& name) {
                    [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); }))
     return "is not a GLSL name of letters, digits and _";
   if (name.starts_with("gl_") || name.starts_with("glint") || name.find("__") != name.npos ||
-      std::find(kGlslWords.begin(), kGlslWords.end(), name) != kGlslWords.end())
+      isGlslWord(name))
     return "is a reserved word";
   if (findAttribute(name)) return "is the name of an attribute";
   return {};
@@ -203,7 +193,7 @@ void checkNames(const GlslScan& scan, const std::string& file, Diagnostics& prob
   static const std::vector<std::string_view> kOwn = {"main", "Shading", "Parameters", "modelD", "modelSpecular",
                                                      "modelDiffuse", "modelParameters", "modelPrepare", "modelHasD"};
   for (const GlslName& name : scan.names)
-    if (name.name.starts_with("gl_") || name.name.starts_with("glint") ||
+    if (name.name.starts_with("glint") ||
         std::find(kOwn.begin(), kOwn.end(), name.name) != kOwn.end())
       problems.push_back(error(fmt::format("{}:{}", file, name.line),
                                fmt::format("defines '{}', which is Glint's", name.name), "choose another name"));
@@ -218,8 +208,12 @@ void checkNames(const GlslScan& scan, const std::string& file, Diagnostics& prob
 
 void checkBody(const GlslScan& scan, const std::string& file, int headLine, const Json& head, ShadingModel& model,
                Diagnostics& problems) {
-  for (const GlslFault& fault : scan.faults)
-    problems.push_back(error(fmt::format("{}:{}", file, fault.line), fault.what, fault.hint));
+  std::vector<GlslFault> faults = scan.faults;
+  if (faults.empty()) faults = recursionFaults(scan);
+  int last = 0;  // one fault for each line: the next is often the same one
+  for (const GlslFault& fault : faults)
+    if (fault.line != std::exchange(last, fault.line))
+      problems.push_back(error(fmt::format("{}:{}", file, fault.line), fault.what, fault.hint));
   checkNames(scan, file, problems);
   for (const Entry& entry : kEntries) {
     int near = 0;

@@ -22,8 +22,9 @@
 //                                             the light; fills the float members that "prepared" of the head names
 //
 // It may call D, V, F and diffuse whether it defines them or names them, in any order, and every function of
-// shaders/terms/. Its macros end with it. A file may not declare uniforms, inputs, outputs or buffers, nor names
-// that start with `glint`, `gl_` or are Glint's own (main, Shading, Parameters, modelD, ...).
+// shaders/terms/. Its macros end with it. A file may not declare uniforms, inputs, outputs or buffers, use `discard`,
+// derivatives or names that start with `gl_`, nor define names that start with `glint` or are Glint's own (main,
+// Shading, Parameters, modelD, ...), and its functions may not come back to themselves.
 #pragma once
 
 #include <array>
@@ -101,8 +102,9 @@ std::string modelGlsl(const ShadingModel&, int sourceIndex);
 inline constexpr int kModelSourceIndex = 7;
 inline constexpr int kModelLineBase = 100000;  // the plugin's line 1 is reported as 100001
 
-// Turns a driver's shader log into diagnostics at the plugin's own lines; lines of the log that belong to
-// other source strings are named "generated". Notes and warnings are dropped when there are errors.
+// Turns a driver's shader log into diagnostics at the plugin's own lines, one for each fault: what follows from it and
+// lists of candidates are dropped. A line of the log that belongs to other source strings is placed at the function of
+// the plugin that it names, else named "generated". Notes and warnings are dropped when there are errors.
 Diagnostics modelErrors(const ShadingModel&, const std::string& driverLog);
 
 }  // namespace glint

@@ -1,6 +1,5 @@
-// What Glint writes around a plugin's text, and the way back from a driver's complaints to its lines.
+// What Glint writes around a plugin's text.
 #include <algorithm>
-#include <charconv>
 
 #include "materials/glsl_scan.h"
 #include "materials/model.h"
@@ -54,65 +53,6 @@ void entry(std::string& text, std::string_view type, std::string_view name, bool
     text += fmt::format("{} {}(Shading s, Parameters p) {{ return {}{}(s); }}\n", type, name, prefix(kind), term);
 }
 
-struct LogLine {
-  int line = 0;
-  bool isError = false;
-  std::string message;
-};
-
-bool takeNumber(std::string_view& text, int& number) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (code != std::errc()) return false;
-  text.remove_prefix(static_cast<size_t>(end - text.data()));
-  return true;
-}
-
-bool takeText(std::string_view& text, std::string_view wanted) {
-  if (!text.starts_with(wanted)) return false;
-  text.remove_prefix(wanted.size());
-  return true;
-}
-
-void skipSpaces(std::string_view& text) {
-  while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
-}
-
-// "0:12(5): error: what" (Mesa), "0(12) : error C1008: what" (NVIDIA), "ERROR: 0:12: what" (others).
-LogLine readLogLine(std::string_view text) {
-  LogLine result;
-  skipSpaces(text);
-  std::string_view rest = text;
-  const bool shouts = takeText(rest, "ERROR: ");
-  if (!shouts && takeText(rest, "WARNING: ")) {
-  }
-  int source = 0, column = 0;
-  bool placed = takeNumber(rest, source);
-  if (placed && takeText(rest, ":")) {
-    placed = takeNumber(rest, result.line);
-    std::string_view after = rest;
-    if (takeText(after, "(") && takeNumber(after, column) && takeText(after, ")")) rest = after;
-  } else if (placed && takeText(rest, "(")) {
-    placed = takeNumber(rest, result.line) && takeText(rest, ")");
-  } else {
-    placed = false;
-  }
-  if (!placed) {
-    result.line = 0;
-    rest = text;
-  }
-  skipSpaces(rest);
-  if (placed) takeText(rest, ":");
-  skipSpaces(rest);
-  result.isError = shouts;
-  if (takeText(rest, "error")) {
-    result.isError = true;
-    if (const size_t colon = rest.find(':'); colon != rest.npos && colon < 10) rest.remove_prefix(colon + 1);
-    skipSpaces(rest);
-  }
-  result.message = std::string(rest);
-  return result;
-}
-
 }  // namespace
 
 std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
@@ -139,26 +79,6 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
                       model.definesSpecular ? "specular(s, p)" : "(D(s, p) * V(s, p)) * F(s, p)");
   text += "vec3 modelDiffuse(Shading s, Parameters p) { return diffuse(s, p); }\n";
   return text;
-}
-
-Diagnostics modelErrors(const ShadingModel& model, const std::string& driverLog) {
-  const int lines = 1 + static_cast<int>(std::count(model.source.begin(), model.source.end(), '\n'));
-  Diagnostics errors, others;
-  for (size_t begin = 0; begin < driverLog.size() && errors.size() < 20;) {
-    const size_t end = std::min(driverLog.find('\n', begin), driverLog.size());
-    const LogLine line = readLogLine(std::string_view(driverLog).substr(begin, end - begin));
-    begin = end + 1;
-    if (line.message.empty()) continue;
-    const int own = line.line - kModelLineBase;
-    const std::string place =
-        own >= 1 ? fmt::format("{}:{}", model.file.string(), std::min(own, lines))
-                 : fmt::format("{} (generated{})", model.file.string(),
-                               line.line ? fmt::format(", line {}", line.line) : std::string());
-    (line.isError ? errors : others).push_back(error(place, line.message));
-  }
-  if (!errors.empty()) return errors;
-  if (!others.empty()) return others;
-  return {error(model.file.string() + " (generated)", "the driver refused the shader and did not say why")};
 }
 
 }  // namespace glint

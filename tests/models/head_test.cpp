@@ -131,6 +131,36 @@ TEST(ModelHead, TextThatReachesOut) {
   EXPECT_THAT(faults(plugin("", "#if 1\nfloat x = 1.0;")), HasSubstr("m.glsl:5: this condition has no #endif"));
 }
 
+// What a plugin cannot use, because it is evaluated for single pairs of directions in shaders of every kind.
+TEST(ModelHead, WordsThatAreNotForPlugins) {
+  EXPECT_EQ(faults(plugin("", "float f(float x) {\n  if (x < 0.0) discard;\n  return gl_FragCoord.x + gl_FragCoord.y;\n}")),
+            "m.glsl:6: 'discard' is not for a plugin; a model has no pixel to drop: return vec3(0.0), or use the opacityMask of a material\n"
+            "m.glsl:7: 'gl_FragCoord' is not for a plugin; a model is evaluated for one pair of directions: all it has is in Shading and Parameters\n");
+  EXPECT_THAT(faults(plugin("", "float f(float x) { return dFdx(x); }")), HasSubstr("m.glsl:5: 'dFdx' is not for a plugin"));
+  EXPECT_THAT(faults(plugin("", "\n#define HERE gl_FragCoord\n")), HasSubstr("m.glsl:6: 'gl_FragCoord' is not for a plugin"));
+  EXPECT_THAT(faults(plugin("", "in vec3 a;")), HasSubstr("m.glsl:5: 'in' is not for a plugin"));
+  EXPECT_THAT(faults(plugin("", "layout(location = 0) out vec4 c;")), HasSubstr("m.glsl:5: 'layout' is not for a plugin"));
+  EXPECT_THAT(faults(plugin("", "float f() { float half = 0.5; return half; }")),
+              HasSubstr("m.glsl:5: 'half' is a reserved word of GLSL; choose another name"));
+  EXPECT_THAT(faults(plugin("", "float a__b = 1.0;")), HasSubstr("m.glsl:5: 'a__b' is reserved"));
+  EXPECT_THAT(faults(plugin("", "#include \"../secret.glsl\"\n#pragma optimize(off)\n")),
+              AllOf(HasSubstr("m.glsl:5: #include"), HasSubstr("m.glsl:6: #pragma")));
+  EXPECT_THAT(faults(plugin("", "#define float double\n#undef LIGHTS\n")),
+              AllOf(HasSubstr("m.glsl:5: 'float' is a word of GLSL"), HasSubstr("m.glsl:6: 'LIGHTS' is no macro of this file")));
+  EXPECT_EQ(faults(plugin("", "struct S { float x; };\nfloat f(S s) { /* discard */ return s.x; } // gl_Position")), "");
+}
+
+TEST(ModelHead, RecursionAtTheCall) {
+  EXPECT_EQ(faults(plugin("", "float g(float x);\nfloat f(float x) {\n  return x > 0.0 ? g(max(x, 1.0)) : 0.0;\n}\n"
+                              "float g(float x) { return\n f(x); }")),
+            "m.glsl:10: 'f' calls itself: f -> g -> f; GLSL has no recursion: write a loop\n");
+  EXPECT_THAT(faults(plugin("", "float f() { return f(); }")), HasSubstr("m.glsl:5: 'f' calls itself: f -> f"));
+  EXPECT_EQ(faults(plugin("", "float f(vec3 v) { return 1.0; }\nfloat f(float x, float y) { return f(vec3(x, y, 1.0)); }\n"
+                              "float f(float x) { return f(vec3(x)); }")), "")
+      << "overloads are other functions";
+  EXPECT_EQ(faults(plugin("", "float f() { return 1.0; }\nfloat g() { return f() + f(); }\nfloat h() { return g() + f(); }")), "");
+}
+
 // Compilers recurse over expressions and expand macros of macros: both are bounded before they see them.
 TEST(ModelHead, TextThatNoCompilerSurvives) {
   EXPECT_THAT(faults(plugin("", "float x = " + std::string(100000, '(') + "1.0" + std::string(100000, ')') + ";")),
@@ -209,9 +239,25 @@ TEST(ModelErrors, DriversFormats) {
   EXPECT_EQ(first("error: linking failed"), error("m.glsl (generated)", "linking failed"));
   EXPECT_EQ(first("0:199999(1): error: after the end").place, "m.glsl:6") << "the last line there is";
   EXPECT_THAT(first("").what, HasSubstr("did not say why"));
+  // Recursion between overloads and functions without a body are found when a program is linked.
+  EXPECT_EQ(first("error: function `float f(float)' has static recursion"),
+            error("m.glsl:5", "function `float f(float)' has static recursion", "GLSL has no recursion: write a loop"));
   std::string many;
   for (int i = 0; i < 1000; ++i) many += "0:100005(1): error: e\n";
   EXPECT_LE(modelErrors(*model, many).size(), 20u);
+}
+
+TEST(ModelErrors, OneForEachFault) {
+  const auto model = parseModel("m.glsl", plugin("", "\n\n\n\n\n"));
+  ASSERT_TRUE(model);
+  EXPECT_EQ(modelErrors(*model,
+                        "0:100006(3): error: no matching function for call to `max(vec3, Shading)'; candidates are:\n"
+                        "0:100006(3): error: float max(float, float)\n"
+                        "0:100006(3): error: type mismatch\n"
+                        "0:100007(3): error: `x' undeclared\n"
+                        "0:100008(3): error: `x' undeclared\n"
+                        "0:100009(3): error: no matching function for call to `f(error)'; candidates are:\n"),
+            (Diagnostics{error("m.glsl:6", "no matching function for call to `max(vec3, Shading)'"), error("m.glsl:7", "`x' undeclared")}));
 }
 
 // Whatever the bytes, an answer comes: a model, or faults with places.
