@@ -23,6 +23,13 @@ bool isGltf(const std::string& name) {
 
 }  // namespace
 
+Diagnostics Libraries::warnings() const {
+  Diagnostics found;
+  std::copy_if(models.problems().begin(), models.problems().end(), std::back_inserter(found),
+               [](const Diagnostic& d) { return d.severity == Severity::Warning; });
+  return found;
+}
+
 Result<ModelPtr> Libraries::model(const std::string& id, const std::string& place) const {
   auto found = models.get(id);
   if (found) return found;

@@ -113,9 +113,9 @@ bool ModelRegistry::refresh() {
     if (!file.model) continue;
     const auto [found, fresh] = models.emplace(file.model->id, file.model);
     if (!fresh)
-      problems.push_back(error(path.string(),
-                               fmt::format("its id '{}' is taken by {}", file.model->id, found->second->file.string()),
-                               "give it an id of its own"));
+      problems.push_back(warning(path.string(),
+                                 fmt::format("its id '{}' is taken by {}, which is used", file.model->id, found->second->file.string()),
+                                 "give it an id of its own"));
   }
   changed |= problems != problems_;
   models_ = std::move(models);

@@ -16,15 +16,17 @@ using ModelPtr = std::shared_ptr<const ShadingModel>;
 class ModelRegistry {
  public:
   // Reads the shipped models, then each folder's *.glsl in order, the folder models/ of the user's configuration
-  // last. Hidden files are left out; a link is followed; files over 256 KiB are an error. Two files with one id: the first stays,
-  // the second is an error that names both. Faults never stop the others: see problems().
+  // last. Hidden files are left out; a link is followed; files over 256 KiB are an error.
+  // Two files with one id: the first is used, the second is a warning that names both. Faults never stop the others:
+  // see problems().
   explicit ModelRegistry(std::vector<std::filesystem::path> folders = {});
 
   ModelPtr find(std::string_view id) const;      // null when unknown
   Result<ModelPtr> get(std::string_view id) const;  // an unknown id names its nearest neighbour
   std::vector<ModelPtr> all() const;             // sorted by id
   std::vector<std::string> ids() const;
-  // What is wrong with the files as they are now. A file that broke keeps its last good model.
+  // What is wrong with the files as they are now: errors, whose file has no model or keeps its last good one, and
+  // warnings.
   const Diagnostics& problems() const { return problems_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 

@@ -110,19 +110,25 @@ struct Renderer::State {
     return entry;
   }
 
+  // What a compiler says of a model, by the smallest program that holds all of it.
+  const Diagnostics& verdictOn(const ModelShader& shader) {
+    auto verdict = verdicts.find(shader.hash);
+    if (verdict == verdicts.end()) {
+      const auto program = programs.get(tileVertex(), {"shaders/passes/lobe.frag", {}, {{"model", shader.glsl}}});
+      verdict = verdicts.emplace(shader.hash, program ? Diagnostics{} : modelErrors(*shader.model, program.diagnostics()[0].what)).first;
+    }
+    return verdict->second;
+  }
+
   // The shader to draw a model with: its own when it compiles, else its last good version, else none.
   std::shared_ptr<const ModelShader> soundShaderOf(const std::shared_ptr<const ShadingModel>& model) {
     auto shader = shaderOf(model);
-    auto verdict = verdicts.find(shader->hash);
-    if (verdict == verdicts.end()) {
-      const auto program = programs.get(tileVertex(), {"shaders/passes/lobe.frag", {}, {{"model", shader->glsl}}});
-      verdict = verdicts.emplace(shader->hash, program ? Diagnostics{} : modelErrors(*model, program.diagnostics()[0].what)).first;
-    }
-    if (verdict->second.empty()) {
+    const Diagnostics& verdict = verdictOn(*shader);
+    if (verdict.empty()) {
       lastGood[model->id] = shader;
       return shader;
     }
-    problems.insert(problems.end(), verdict->second.begin(), verdict->second.end());
+    problems.insert(problems.end(), verdict.begin(), verdict.end());
     const auto good = lastGood.find(model->id);
     return good == lastGood.end() ? nullptr : good->second;
   }
@@ -622,6 +628,8 @@ void Renderer::relight() {
   s.lightingPass(s.lastSettings, s.lastFramebuffer, Output::Picture);
   glFinish();
 }
+
+Diagnostics Renderer::check(const std::shared_ptr<const ShadingModel>& model) { return state_->verdictOn(*state_->shaderOf(model)); }
 
 void Renderer::invalidateModels() { state_->forgetPrograms(); }
 

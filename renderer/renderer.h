@@ -78,6 +78,9 @@ class Renderer {
   };
   const Statistics& statistics() const;
 
+  // What a compiler says of a model's GLSL, drawn or not; remembered. Errors are at the plugin's own lines.
+  Diagnostics check(const std::shared_ptr<const ShadingModel>&);
+
   // Forgets what was concluded about plugins, so that shipped terms that changed are read again. Plugins that the
   // registry read anew need no call: they are other objects.
   void invalidateModels();

@@ -299,6 +299,7 @@ int run(const Arguments& arguments) {
     plan->scene.render.backgroundColor = glm::vec3(0.0176f);  // the sheet's own ground: a dark grey that black stands out from
   }
   Libraries libraries(arguments.modelFolders);
+  log::report(libraries.warnings());
   Diagnostics problems, warnings;
   Axes axes;
   Scene stage;

@@ -8,6 +8,7 @@
 #include "materials/model_registry.h"
 #include "materials/terms.h"
 #include "renderer/model_laws.h"
+#include "renderer/renderer.h"
 
 namespace glint {
 namespace {
@@ -86,19 +87,29 @@ void printModel(const ShadingModel& m) {
   fmt::print("{:<16}{}\n\n", "", m.file.string());
 }
 
+// What compilers say of every model, drawn anywhere or not, and, when asked, which of its claims each breaks.
+void judge(const gl::Context& context, const ModelRegistry& registry, bool claims, Diagnostics& problems, Diagnostics& laws) {
+  Renderer renderer(context);
+  for (const ModelPtr& model : registry.all()) {
+    const Diagnostics faults = renderer.check(model);
+    problems.insert(problems.end(), faults.begin(), faults.end());
+    if (!claims || !faults.empty()) continue;
+    const Diagnostics broken = checkLaws(*model);
+    laws.insert(laws.end(), broken.begin(), broken.end());
+  }
+}
+
 int run(const Arguments& arguments) {
   const ModelRegistry registry(arguments.modelFolders);
-  Diagnostics laws;
-  if (arguments.has("check")) {
-    auto context = gl::Context::create({.backend = arguments.backend});
-    if (!context) {
-      log::report(context.diagnostics());
-      return kNoContext;
-    }
-    for (const ModelPtr& model : registry.all()) {
-      const Diagnostics found = checkLaws(*model);
-      laws.insert(laws.end(), found.begin(), found.end());
-    }
+  Diagnostics problems = registry.problems(), laws;
+  auto context = gl::Context::create({.backend = arguments.backend});
+  if (context) {
+    judge(**context, registry, arguments.has("check"), problems, laws);
+  } else if (arguments.has("check") || arguments.backend != gl::Backend::Auto) {
+    log::report(context.diagnostics());
+    return kNoContext;
+  } else {
+    log::report(warning("glint models", "without OpenGL no model's GLSL was compiled", context.diagnostics()[0].what));
   }
   const std::vector<Term> library = terms();
   if (arguments.json) {
@@ -106,19 +117,19 @@ int run(const Arguments& arguments) {
     for (const ModelPtr& model : registry.all()) document["models"].push_back(modelJson(*model));
     for (const Term& term : library)
       document["terms"].push_back({{"kind", name(term.kind)}, {"name", term.name}, {"doc", term.doc}});
-    document["problems"] = problemsJson(registry.problems());
+    document["problems"] = problemsJson(problems);
     if (arguments.has("check")) document["laws"] = problemsJson(laws);
     fmt::print("{}\n", document.dump(2, ' ', false, ordered_json::error_handler_t::replace));
   } else {
     for (const ModelPtr& model : registry.all()) printModel(*model);
     for (const TermKind kind : {TermKind::D, TermKind::V, TermKind::F, TermKind::Diffuse})
       fmt::print("terms {:<10}{}\n", name(kind), fmt::join(termNames(kind), ", "));
-    if (arguments.has("check") && laws.empty())
+    if (arguments.has("check") && laws.empty() && problems.empty())
       fmt::print("\nEvery model keeps the laws that it claims.\n");
   }
   log::report(laws);
-  log::report(registry.problems());
-  return laws.empty() && registry.problems().empty() ? kDone : kVerdictNo;
+  log::report(problems);
+  return laws.empty() && problems.empty() ? kDone : kVerdictNo;
 }
 
 }  // namespace

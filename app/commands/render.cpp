@@ -42,6 +42,7 @@ int run(const Arguments& arguments) {
   if (!problems.empty()) return badInput(problems);
 
   Libraries libraries(arguments.modelFolders);
+  log::report(libraries.warnings());
   const auto scene = loadScene(*options, libraries, warnings);
   log::report(warnings);
   if (!scene) return badInput(scene.diagnostics());

@@ -47,6 +47,40 @@ TEST(ModelsCommand, NamesProblemsAndListsTheRest) {
   EXPECT_EQ(json.json()["problems"][0]["place"], "mine/bad.glsl:3");
 }
 
+// Whether it is drawn or not: that is what the exit code is for.
+TEST(ModelsCommand, CompilesEveryModel) {
+  write("mine/bad.glsl", "/*glint {\"id\": \"bad\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n"
+                         "vec3 diffuse(Shading s, Parameters p) {\n"
+                         "  vec3 x = vec3(s.nope) * max(s.nope, s);\n"
+                         "  return max(x, s);\n}\n");
+  const auto ran = glint({"models", "--models-dir", "mine"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.out, HasSubstr("mine/bad.glsl")) << "it is listed all the same";
+  const auto lines = ran.errorLines();
+  ASSERT_EQ(lines.size(), 2u) << ran.err;
+  EXPECT_EQ(lines[0].rfind("glint: error: mine/bad.glsl:3: ", 0), 0u) << ran.err;
+  EXPECT_EQ(lines[1].rfind("glint: error: mine/bad.glsl:4: ", 0), 0u) << ran.err;
+  EXPECT_THAT(ran.err, testing::Not(HasSubstr("candidates")));
+  const auto json = glint({"models", "--models-dir", "mine", "--json"}).json();
+  EXPECT_EQ(json["problems"][0]["place"], "mine/bad.glsl:3");
+}
+
+TEST(ModelsCommand, ATakenIdIsSaid) {
+  write("mine/other.glsl", "/*glint {\"id\": \"ggx\", \"terms\": {\"D\": \"Beckmann\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"render", "--size", "8x8", "--env", "none", "-o", "out.png"},
+        {"compare", "--models", "burley", "--sweep", "roughness=0..1:2", "--cell", "16", "--env", "none", "-o", "out.png"}}) {
+    std::vector<std::string> all = command;
+    all.insert(all.end(), {"--models-dir", "mine"});
+    const auto ran = glint(all);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    ASSERT_EQ(ran.errorLines().size(), 1u) << ran.err;
+    EXPECT_EQ(ran.err.rfind("glint: warning: mine/other.glsl: its id 'ggx' is taken by ", 0), 0u) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("shaders/models/ggx.glsl, which is used"));
+  }
+  EXPECT_EQ(glint({"models", "--models-dir", "mine"}).code, 1);
+}
+
 TEST(ModelsCommand, ChecksTheLaws) {
   write("mine/bright.glsl", "/*glint {\"id\": \"bright\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"},\n"
                             "\"claims\": {\"energyConserving\": true}} */\n"
