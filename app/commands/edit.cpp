@@ -40,7 +40,7 @@ int takeScreenshot(const Arguments& arguments, const std::vector<fs::path>& file
   // A picture for a page must not depend on what the last session left.
   options.configFolder.clear();
   UiDriver driver(**context, std::move(options), *size);
-  for (const fs::path& file : files) driver.editor().openFile(file);
+  driver.editor().openFiles(files);
   if (!driver.settle(120)) log::report(warning("--screenshot", "the picture was still being drawn after two minutes"));
   const Image8 picture = driver.screenshot();
   const ImageNotes notes = {{"command", arguments.commandLine}, {"glint", GLINT_VERSION}, {"renderer", (*context)->info().renderer}};

@@ -7,12 +7,13 @@
 
 namespace glint {
 
-Document::Document(const NodeRegistry& nodes, std::filesystem::path journals)
-    : nodes_(nodes), graph_(std::make_unique<GraphEditor>()), journal_(std::move(journals)) {
+Document::Document(const NodeRegistry& nodes, const std::filesystem::path& folder)
+    : nodes_(nodes), graph_(std::make_unique<GraphEditor>()), journal_(folder.empty() ? folder : folder / "journal"),
+      scenes_(folder.empty() ? folder : folder / "scenes") {
   savedPreview_ = preview_;
 }
 
-Document::~Document() = default;
+Document::~Document() { leave(); }
 
 Diagnostics Document::edit(const std::string& label, const std::function<Diagnostics(GraphEditor&)>& change) {
   if (held_ && !gesture_) {
@@ -114,15 +115,33 @@ void Document::goTo(size_t position) {
   while (position_ < position && canRedo()) redo();
 }
 
+void Document::keepScene() {
+  if (file_.empty() || project_) return;
+  keptPreview_ = preview_;
+  note(scenes_.write(file_, preview_));
+}
+
+void Document::leave() {
+  const bool kept = keptPreview_ && keptPreview_->sameSettings(preview_) && keptPreview_->orbit == preview_.orbit &&
+                    keptPreview_->comparisonOrbit == preview_.comparisonOrbit;
+  if (!kept) keepScene();
+}
+
 void Document::record() {
+  if (!keptPreview_ || !keptPreview_->sameSettings(preview_)) keepScene();
   if (!modified()) return journal_.clear();
-  journal_.append({.file = file_.string(), .name = material().name,
+  note(journal_.append({.file = file_.string(), .name = material().name,
                    .label = position_ ? steps_[position_ - 1].label : "", .steps = int(position_),
-                   .material = materialText(material()), .preview = writeJson(previewJson(preview_))});
+                   .material = materialText(material()), .preview = writeJson(previewJson(preview_))}));
+}
+
+void Document::note(const Diagnostics& problems) {
+  for (const Diagnostic& d : problems)
+    if (std::find(problems_.begin(), problems_.end(), d) == problems_.end()) problems_.push_back(d);
 }
 
 bool Document::modified() const {
-  return graph_->modified() || !savedMaterialKnown_ || (project_ && !savedPreview_.sameSettings(preview_));
+  return graph_->modified() || !savedMaterialKnown_ || ((project_ || file_.empty()) && !savedPreview_.sameSettings(preview_));
 }
 
 std::string Document::title() const {
@@ -131,6 +150,7 @@ std::string Document::title() const {
 }
 
 void Document::reset(Material material, const Preview& preview, const std::filesystem::path& file, bool project) {
+  leave();
   graphBase_ += graph_->revision() + 1;
   graph_ = std::make_unique<GraphEditor>(std::move(material));
   preview_ = preview;
@@ -142,6 +162,8 @@ void Document::reset(Material material, const Preview& preview, const std::files
   savedMaterialKnown_ = true;
   file_ = file;
   project_ = project;
+  keptPreview_.reset();
+  problems_.clear();
   journal_.clear();
 }
 
@@ -159,7 +181,12 @@ Diagnostics Document::open(const std::filesystem::path& path, Diagnostics& warni
     auto material = parseMaterial(bytes.value(), file, nodes_, &warnings);
     if (!material) return material.diagnostics();
     material->file = file;
-    reset(std::move(*material), preview_, file, false);
+    leave();  // the same file may be opened again
+    Diagnostics damage;
+    const auto kept = scenes_.read(file, damage);
+    reset(std::move(*material), kept.value_or(preview_), file, false);
+    keptPreview_ = kept;
+    note(damage);
     return {};
   }
   const Json *inner = json->find("material"), *preview = json->find("preview");
@@ -195,22 +222,24 @@ Diagnostics Document::saveAs(const std::filesystem::path& path, bool project) {
   savedPreview_ = preview_;
   file_ = file;
   project_ = project;
+  keptPreview_.reset();
+  leave();
   journal_.clear();
   return {};
 }
 
 Diagnostics Document::recover(const Journal::Record& record) {
   Diagnostics warnings;
-  if (!record.file.empty()) {
-    // The file may have gone; what the journal kept is whole without it.
-    Diagnostics missing = open(record.file, warnings);
-    if (!missing.empty()) file_.clear();
-  }
   auto material = parseMaterial(record.material, record.file.empty() ? "journal" : record.file, nodes_, &warnings);
   if (!material) return material.diagnostics();
-  material->file = record.file;
-  if (file_.empty()) reset(std::move(*material), preview_, {}, false);
-  else edit("Recover", [&](GraphEditor& graph) { return graph.replaceAll(*material, "Recover"); });
+  // The file may have gone; what the journal kept is whole without it.
+  const bool based = !record.file.empty() && open(record.file, warnings).empty();
+  if (based) {
+    material->file = file_;
+    edit("Recover", [&](GraphEditor& graph) { return graph.replaceAll(*material, "Recover"); });
+  } else {
+    reset(std::move(*material), preview_, {}, false);
+  }
   savedMaterialKnown_ = false;
   if (const auto json = parseJson(record.preview, "journal")) preview_ = previewFrom(*json, "journal", warnings);
   ++previewRevision_;

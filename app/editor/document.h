@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/editor/journal.h"
 #include "app/editor/preview.h"
+#include "app/editor/scene_store.h"
 #include "materials/graph_edit.h"
 #include "materials/node_registry.h"
 
@@ -16,9 +18,9 @@ namespace glint {
 
 class Document {
  public:
-  // Journals go to `journals`; an empty path keeps none.
-  Document(const NodeRegistry&, std::filesystem::path journals);
-  ~Document();
+  // Keeps journals and the scenes of materials in folders below `folder`; an empty path keeps none.
+  Document(const NodeRegistry&, const std::filesystem::path& folder);
+  ~Document();               // leaves: see leave()
 
   const Material& material() const { return graph_->material(); }
   const GraphEditor& graph() const { return *graph_; }
@@ -53,8 +55,9 @@ class Document {
   uint64_t graphRevision() const { return graphBase_ + graph_->revision(); }
   uint64_t previewRevision() const { return previewRevision_; }
 
-  // Files. A project (".glint.json"... any JSON of "glint": "project") is a material and a preview; saving a plain
-  // material writes the graph only, and its preview lives with the session.
+  // Files. A project (any JSON of "glint": "project") is a material and a preview. A plain material's file holds the
+  // graph only: its preview is kept beside the session with every step, so it needs no saving and no question. What has
+  // no file yet has nowhere to keep it, and counts as modified by it.
   bool modified() const;
   const std::filesystem::path& file() const { return file_; }   // empty when never saved
   bool isProject() const { return project_; }
@@ -63,15 +66,21 @@ class Document {
   Diagnostics open(const std::filesystem::path&, Diagnostics& warnings);
   Diagnostics save();                                            // to file()
   Diagnostics saveAs(const std::filesystem::path&, bool project);
+  // Keeps where the viewer stood, which is no step; to be called before the document is let go.
+  void leave();
   // Replaces the material by what a journal kept, as one undoable step on top of the file it belongs to.
   Diagnostics recover(const Journal::Record&);
 
   Journal& journal() { return journal_; }
+  // What could not be kept beside the file, or read back.
+  const Diagnostics& problems() const { return problems_; }
 
  private:
   void syncSteps(const std::string& label);
   void addStep(Step);
   void record();
+  void keepScene();
+  void note(const Diagnostics&);
   void reset(Material, const Preview&, const std::filesystem::path& file, bool project);
   std::string projectText() const;
 
@@ -91,6 +100,9 @@ class Document {
   std::filesystem::path file_;
   bool project_ = false;
   Journal journal_;
+  SceneStore scenes_;
+  Diagnostics problems_;
+  std::optional<Preview> keptPreview_;   // as it is kept for file_
 };
 
 }  // namespace glint

@@ -41,12 +41,11 @@ Editor::Editor(gl::Context& context, EditorOptions options) : context_(context),
   renderer_ = std::make_unique<ImGuiRenderer>();
   models_ = std::make_unique<ModelRegistry>(modelFolders(options_));
   const bool remembers = !options_.configFolder.empty();
-  document_ = std::make_unique<Document>(nodes_, remembers ? options_.configFolder / "journal" : fs::path{});
+  document_ = std::make_unique<Document>(nodes_, options_.configFolder);
   for (const PanelInfo& info : panelTable()) panels_.push_back(info.make());
   if (remembers) {
     session_ = Session::read(options_.configFolder / "editor.json");
-    recoverable_ = Journal::found(options_.configFolder / "journal");
-    recoverOpen_ = !recoverable_.empty();
+    offerRecovery(false);
   }
   restoreSession();
   loadStandard();
@@ -76,7 +75,6 @@ void Editor::storeSession() {
   if (options_.configFolder.empty()) return;
   session_.layout = layout_.toJson();
   session_.folder = files_.folder().string();
-  if (!document_->isProject()) session_.preview = previewJson(document_->preview());
   session_.write(options_.configFolder / "editor.json");
 }
 
@@ -168,7 +166,7 @@ void Editor::frame(glm::ivec2 framebuffer, float deltaSeconds) {
   glClearColor(17 / 255.0f, 17 / 255.0f, 17 / 255.0f, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   renderer_->draw(*ImGui::GetDrawData());
-  if (layout_.takeChanged() && !held) storeSession();
+  if (!held && layout_.takeChanged()) storeSession();
 }
 
 void Editor::postRequest() {
@@ -196,6 +194,8 @@ void Editor::collectProblems() {
   };
   add(models_->problems());
   add(nodes_.problems());
+  add(document_->problems());
+  add(recoveryProblems_);
   add(shown().problems);
   std::stable_sort(problems_.begin(), problems_.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.severity < b.severity; });
@@ -249,6 +249,11 @@ void Editor::openFile(const fs::path& file) {
   } else {
     say(name + ": not a kind of file that Glint opens; it takes .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .glsl", true);
   }
+}
+
+void Editor::openFiles(std::vector<fs::path> files) {
+  std::stable_partition(files.begin(), files.end(), [](const fs::path& file) { return extensionOf(file) == ".json"; });
+  for (const fs::path& file : files) openFile(file);
 }
 
 void Editor::openDocumentFile(const fs::path& file) {
@@ -380,6 +385,22 @@ void Editor::requestQuit() {
     document_->journal().clear();
     quitting_ = true;
   });
+}
+
+void Editor::offerRecovery(bool asked) {
+  if (options_.configFolder.empty()) return;
+  recoveryProblems_.clear();
+  recoverable_ = Journal::found(options_.configFolder / "journal", recoveryProblems_);
+  recoverOpen_ = !recoverable_.empty();
+  if (asked && recoverable_.empty()) say("There is no unsaved work to recover");
+}
+
+void Editor::recover(const Journal::Record& record) {
+  const Diagnostics problems = document_->recover(record);
+  if (!problems.empty()) return say(problems.front().text(), true);
+  Journal::discard(record.journal);
+  selection_.clear();
+  say("Recovered " + record.name + ": save it to keep it");
 }
 
 std::string Editor::windowTitle() const { return document_->title() + " \u2013 Glint"; }

@@ -49,6 +49,9 @@ class Editor {
   // Whatever the file is: a material or project is opened (after a question when work would be lost), a mesh, picture
   // or environment is put to use, a plugin is installed. Errors are shown.
   void openFile(const std::filesystem::path&);
+  // Several at once, in an order in which each has its effect: a material brings the scene that was kept for it, and a
+  // mesh or an environment named beside it replaces what that says.
+  void openFiles(std::vector<std::filesystem::path>);
   // The user wants to leave; quitting() once nothing is lost by it.
   void requestQuit();
   bool quitting() const { return quitting_; }
@@ -96,6 +99,9 @@ class Editor {
   void drawMenu();
   void drawStatus(ImVec2 low, ImVec2 high);
   void drawDialogs();
+  void drawRecoverable();
+  void offerRecovery(bool asked);
+  void recover(const Journal::Record&);
   void handleShortcuts();
   void postRequest();
   void collectProblems();
@@ -147,6 +153,7 @@ class Editor {
   bool askOpen_ = false, quitting_ = false, aboutOpen_ = false, keysOpen_ = false;
   std::vector<Journal::Record> recoverable_;
   bool recoverOpen_ = false;
+  Diagnostics recoveryProblems_;
   std::chrono::steady_clock::time_point lastModelCheck_{};
   std::string progressShown_;
   bool modelsChanged_ = false;

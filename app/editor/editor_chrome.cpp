@@ -1,6 +1,8 @@
 // The editor's frame around the panels: menu, shortcuts, status bar, questions.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "app/editor/editor.h"
 #include "app/editor/keys.h"
@@ -73,6 +75,8 @@ void Editor::drawMenu() {
       if (item("Save", "Ctrl+S")) save();
       if (item("Save as\u2026", "Ctrl+Shift+S")) saveAs(false);
       if (item("Save project as\u2026")) saveAs(true);
+      ImGui::Separator();
+      if (item("Recover unsaved work\u2026")) offerRecovery(true);
       ImGui::Separator();
       if (item("Load mesh\u2026")) browseMesh();
       if (item("Load environment\u2026")) browseEnvironment();
@@ -175,6 +179,65 @@ void Editor::drawStatus(ImVec2 low, ImVec2 high) {
   ImGui::End();
 }
 
+// What ended without saving, newest first; each is decided by itself, and what is not decided is asked again later.
+void Editor::drawRecoverable() {
+  const float width = theme::px(84), gap = ImGui::GetStyle().ItemSpacing.x;
+  ui::textDim("Glint ended without saving this. What is not recovered or discarded now is offered again at the next start, and under File.");
+  ImGui::Dummy({0, theme::px(4)});
+  const float each = 3 * ImGui::GetTextLineHeightWithSpacing() + theme::px(6);
+  const float room = std::min(each * float(recoverable_.size()), ImGui::GetIO().DisplaySize.y * 0.45f);
+  ImGui::BeginChild("records", {0, room});
+  std::optional<size_t> decided;
+  for (size_t i = 0; i < recoverable_.size(); ++i) {
+    const Journal::Record& record = recoverable_[i];
+    const std::string number = std::to_string(i);
+    ImGui::PushID(int(i));
+    const ImVec2 at = ImGui::GetCursorPos();
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    ImGui::PushTextWrapPos(right - 2 * width - 2 * gap);
+    ImGui::TextUnformatted(record.name.c_str());
+    const std::time_t time = std::chrono::system_clock::to_time_t(record.time);
+    std::tm local{};
+    localtime_r(&time, &local);
+    char when[32] = "";
+    std::strftime(when, sizeof when, "%Y-%m-%d %H:%M", &local);
+    const std::string file = record.file.empty() ? "never saved" : std::filesystem::path(record.file).filename().string();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextDim);
+    ImGui::TextUnformatted((std::string(when) + "  \u00b7  " + file).c_str());
+    if (!record.file.empty()) ui::tooltip(record.file);
+    const std::string edits = std::to_string(record.steps) + (record.steps == 1 ? " edit" : " edits");
+    ImGui::TextUnformatted((record.label.empty() ? edits : edits + ", the last \u201c" + record.label + "\u201d").c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({right - 2 * width - gap, at.y});
+    const bool discarded = ui::button("Discard##" + number, false, width);
+    ui::mark("Discard " + number);
+    if (discarded) {
+      Journal::discard(record.journal);
+      decided = i;
+    }
+    ImGui::SameLine();
+    const bool recovered = ui::button("Recover##" + number, true, width);
+    ui::mark("Recover " + number);
+    if (recovered) {
+      afterAsking([this, record] { recover(record); });
+      decided = i;
+    }
+    ImGui::SetCursorPos({below.x, std::max(below.y, at.y + each)});
+    ImGui::PopID();
+    if (decided) break;
+  }
+  ImGui::EndChild();
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - theme::px(18));
+  bool done = ui::button("Later", false, width) || keyPressed(Key::Escape);
+  if (decided) {
+    done |= pendingAction_ != nullptr || document_->modified();
+    recoverable_.erase(recoverable_.begin() + std::ptrdiff_t(*decided));
+  }
+  if (done || recoverable_.empty()) ImGui::CloseCurrentPopup();
+}
+
 void Editor::drawDialogs() {
   ui::pushScope("Dialog");
   const float width = theme::px(104);
@@ -200,32 +263,7 @@ void Editor::drawDialogs() {
   }
 
   if (question("Recover unsaved work?", recoverOpen_)) {
-    if (recoverable_.empty()) {
-      ImGui::CloseCurrentPopup();
-    } else {
-      const Journal::Record& record = recoverable_.front();
-      ui::textDim("Glint ended without saving \u201c" + record.name + "\u201d" +
-                  (record.file.empty() ? "" : " (" + record.file + ")") + ". " + std::to_string(record.steps) +
-                  (record.steps == 1 ? " step" : " steps") + " can be brought back" +
-                  (record.label.empty() ? "." : ", the last of them \u201c" + record.label + "\u201d."));
-      ImGui::Dummy({0, theme::px(8)});
-      ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ImGui::GetStyle().ItemSpacing.x - theme::px(18));
-      bool done = false;
-      if (ui::button("Discard", false, width)) done = true;
-      ImGui::SameLine();
-      if (ui::button("Recover", true, width)) {
-        done = true;
-        const Diagnostics problems = document_->recover(record);
-        if (problems.empty()) say("Recovered " + record.name + ": save it to keep it");
-        else say(problems.front().text(), true);
-      }
-      if (done) {
-        Journal::discard(record.journal);
-        recoverable_.erase(recoverable_.begin());
-        ImGui::CloseCurrentPopup();
-        recoverOpen_ = !recoverable_.empty() && !document_->modified();
-      }
-    }
+    drawRecoverable();
     ImGui::EndPopup();
   }
 

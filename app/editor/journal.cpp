@@ -1,11 +1,12 @@
 #include "app/editor/journal.h"
 
-#include <csignal>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
+#include <optional>
 
 #include "materials/base/files.h"
 #include "materials/base/json.h"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 // Each record is this word, its length in bytes, a line feed, that many bytes and a line feed: a torn tail shows.
 constexpr std::string_view kWord = "glint-journal-record ";
-constexpr uintmax_t kLargest = uintmax_t{16} << 20;
+constexpr uint64_t kLargest = uint64_t{16} << 20;
 
 std::string text(const Journal::Record& record) {
   Json json = Json::object();
@@ -55,58 +56,91 @@ std::optional<Journal::Record> lastRecord(const fs::path& file) {
   return std::nullopt;
 }
 
-// The journal's name is the process that wrote it.
-bool processLives(const fs::path& file) {
-  const long id = std::strtol(file.stem().c_str(), nullptr, 10);
-  if (id <= 0) return false;
-  return kill(static_cast<pid_t>(id), 0) == 0 || errno == EPERM;
+// Whoever writes a journal holds its lock, which ends with the process, however that ends. A process id would not do: it
+// is given to another one day, and a home that two machines share has it twice.
+bool writerLives(const fs::path& file) {
+  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return false;
+  const bool held = flock(handle, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(handle);
+  return held;
 }
 
 }  // namespace
 
 Journal::Journal(fs::path folder) : folder_(std::move(folder)) {
-  if (folder_.empty()) return;
-  // A process may hold several documents, one after the other or in a test.
-  for (int i = 0;; ++i) {
-    file_ = folder_ / (std::to_string(getpid()) + (i ? "-" + std::to_string(i) : "") + ".journal");
-    std::error_code ignored;
-    if (!fs::exists(file_, ignored)) break;
-  }
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  if (!folder_.empty()) file_ = folder_ / (std::to_string(getpid()) + "-" + std::to_string(now) + ".journal");
 }
 
-Journal::~Journal() = default;
+Journal::~Journal() { close(); }
+
+void Journal::close() {
+  if (handle_ >= 0) ::close(handle_);
+  handle_ = -1;
+}
+
+// A file that is locked before it gets its name, so that nobody takes it for one that was left behind.
+bool Journal::begin() {
+  std::error_code ignored;
+  fs::create_directories(folder_, ignored);
+  const std::string unnamed = file_.string() + ".new";
+  const int handle = ::open(unnamed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (handle < 0) return false;
+  close();
+  handle_ = handle;
+  written_ = 0;
+  return flock(handle, LOCK_EX | LOCK_NB) == 0;
+}
+
+bool Journal::write(const std::string& bytes) {
+  for (size_t at = 0; at < bytes.size();) {
+    const ssize_t done = ::write(handle_, bytes.data() + at, bytes.size() - at);
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return false;
+    at += size_t(done);
+  }
+  written_ += bytes.size();
+  return true;
+}
 
 Diagnostics Journal::append(const Record& record) {
   if (folder_.empty() || failed_) return {};
+  const bool anew = handle_ < 0 || written_ > kLargest;
   std::error_code problem;
-  fs::create_directories(folder_, problem);
-  const bool again = fs::exists(file_, problem) && fs::file_size(file_, problem) > kLargest;
-  std::ofstream out(file_, std::ios::binary | (again ? std::ios::trunc : std::ios::app));
-  out << text(record);
-  out.flush();
-  if (out) return {};
+  bool good = (!anew || begin()) && write(text(record));
+  if (good && anew) fs::rename(file_.string() + ".new", file_, problem);
+  if (good && !problem) return {};
   failed_ = true;
   return {warning(file_.string(), "the journal cannot be written", "work would not survive a crash: save often")};
 }
 
 void Journal::clear() {
-  if (folder_.empty()) return;
-  std::error_code ignored;
-  fs::remove(file_, ignored);
+  if (handle_ < 0) return;
+  discard(file_);
+  close();
 }
 
-std::vector<Journal::Record> Journal::found(const fs::path& folder) {
-  std::vector<std::pair<fs::file_time_type, Record>> all;
-  std::error_code problem;
-  for (fs::directory_iterator it(folder, problem), end; !problem && it != end; it.increment(problem)) {
-    if (it->path().extension() != ".journal" || processLives(it->path())) continue;
-    std::error_code ignored;
-    if (auto record = lastRecord(it->path())) all.emplace_back(it->last_write_time(ignored), std::move(*record));
-    else discard(it->path());
-  }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+std::vector<Journal::Record> Journal::found(const fs::path& folder, Diagnostics& warnings) {
   std::vector<Record> records;
-  for (auto& [time, record] : all) records.push_back(std::move(record));
+  std::error_code problem;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator it(folder, problem), end; !problem && it != end; it.increment(problem))
+    if (it->path().extension() == ".journal") files.push_back(it->path());
+  for (const fs::path& file : files) {
+    if (writerLives(file)) continue;
+    std::error_code ignored;
+    if (auto record = lastRecord(file)) {
+      const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(file, ignored));
+      record->time = std::chrono::time_point_cast<std::chrono::system_clock::duration>(time);
+      records.push_back(std::move(*record));
+      continue;
+    }
+    fs::rename(file, file.string() + ".damaged", ignored);
+    warnings.push_back(warning(file.string() + ".damaged", "a journal of unsaved work is damaged: nothing in it can be read",
+                               "remove the file when it is of no use"));
+  }
+  std::sort(records.begin(), records.end(), [](const Record& a, const Record& b) { return a.time > b.time; });
   return records;
 }
 

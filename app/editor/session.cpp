@@ -25,7 +25,6 @@ Session Session::read(const std::filesystem::path& file) {
       if (item.isString() && session.recent.size() < 10) session.recent.push_back(item.text);
   if (const Json* folder = json->find("folder")) session.folder = folder->text;
   if (const Json* layout = json->find("layout")) session.layout = *layout;
-  if (const Json* preview = json->find("preview")) session.preview = *preview;
   const Json *width = json->find("width"), *height = json->find("height");
   if (width && height && width->number >= 320 && width->number <= 16384 && height->number >= 240 && height->number <= 16384) {
     session.width = int(width->number);
@@ -42,7 +41,6 @@ Diagnostics Session::write(const std::filesystem::path& file) const {
   json.set("width", Json::of(width));
   json.set("height", Json::of(height));
   json.set("layout", layout);
-  json.set("preview", preview);
   std::error_code problem;
   std::filesystem::create_directories(file.parent_path(), problem);
   return writeFileAtomic(file, writeJson(json));

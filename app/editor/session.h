@@ -1,4 +1,4 @@
-// What the editor remembers from one day to the next: layout, recent files, the preview, the window's size.
+// What the editor remembers from one day to the next: layout, recent files, the window's size.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,6 @@ struct Session {
   std::vector<std::string> recent;      // newest first, at most 10
   std::string folder;                   // of the last file dialog
   Json layout;                          // Layout::toJson(); null: the standard one
-  Json preview;                         // previewJson(); null: the standard one
   int width = 1600, height = 960;       // of the window, in screen coordinates
 
   void addRecent(const std::filesystem::path&);

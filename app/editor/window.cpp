@@ -77,7 +77,7 @@ void listen(GLFWwindow* handle) {
     of(w).wanted();
   });
   glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
-    for (int i = 0; i < count; ++i) of(w).editor->openFile(paths[i]);
+    of(w).editor->openFiles({paths, paths + count});
     of(w).wanted();
   });
   glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) {
@@ -130,7 +130,7 @@ int runWindow(gl::Context& context, EditorOptions options, const std::vector<std
   window.editor = &editor;
   setUpPlatform(window);
   listen(window.handle);
-  for (const auto& file : files) editor.openFile(file);
+  editor.openFiles(files);
 
   std::string title;
   double last = glfwGetTime();

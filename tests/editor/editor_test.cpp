@@ -284,6 +284,66 @@ TEST_F(EditorTest, AsksBeforeWorkIsLost) {
   EXPECT_FALSE(document().modified());
 }
 
+TEST_F(EditorTest, AsksBeforeTheSceneOfAnUntitledMaterialIsLost) {
+  begin();
+  ui().click("Scene/Add point");
+  ui().editor().requestQuit();
+  ui().frames(3);
+  EXPECT_FALSE(ui().editor().quitting());
+  ASSERT_TRUE(ui().has("Dialog/Cancel"));
+  ui().click("Dialog/Cancel");
+  ui().key(Key::Z, kControl);
+  EXPECT_FALSE(document().modified());
+
+  // That of a material that has a file is there again when the file is opened again.
+  ASSERT_TRUE(document().saveAs(folder() / "lit.json", false).empty());
+  ui().click("Scene/Add point");
+  EXPECT_EQ(document().preview().lights.size(), 2u);
+  begin();
+  ui().editor().openFile(folder() / "lit.json");
+  ui().frames(3);
+  EXPECT_EQ(document().preview().lights.size(), 2u);
+  // But what is named beside it wins.
+  begin();
+  ImageF sky(16, 8, 3);
+  ASSERT_TRUE(writeImageF(folder() / "named.hdr", sky).empty());
+  ui().editor().openFiles({folder() / "named.hdr", folder() / "lit.json"});
+  ui().frames(3);
+  EXPECT_EQ(document().preview().lights.size(), 2u);
+  EXPECT_NE(document().preview().environment.find("named.hdr"), std::string::npos);
+}
+
+TEST_F(EditorTest, OffersWhatACrashLeftAtAnyStart) {
+  begin();
+  const fs::path config = folder() / "config";
+  for (const char* name : {"first", "second"}) {
+    Document crashed(ui().editor().nodes(), config);
+    crashed.startNew(newMaterial(name), {});
+    crashed.edit("Add", [](GraphEditor& graph) { return graph.addNode("constant", {10, 20}); });
+  }
+  driver_.reset();
+  driver_ = std::make_unique<UiDriver>(*context_, EditorOptions{.configFolder = config}, glm::ivec2(1280, 1100));
+  ui().frames(3);
+  ASSERT_TRUE(ui().has("Dialog/Recover 1"));
+  EXPECT_TRUE(writeImage8(folder() / "recover.png", ui().screenshot()).empty());
+  ui().click("Dialog/Later");
+  EXPECT_FALSE(ui().has("Dialog/Later"));
+  ui().click("Menu/File");
+  ui().click("Menu/Recover unsaved work\u2026");
+  ui().frames(3);
+  ui().click("Dialog/Discard 0");
+  ui().frames(2);
+  EXPECT_FALSE(ui().has("Dialog/Recover 1"));
+  ui().click("Dialog/Recover 0");
+  ui().frames(2);
+  EXPECT_FALSE(ui().has("Dialog/Later"));
+  EXPECT_EQ(document().material().nodes.size(), 2u);
+  EXPECT_TRUE(document().modified());
+  Diagnostics warnings;
+  EXPECT_TRUE(Journal::found(config / "journal", warnings).empty()) << "decided, or ours";
+  begin();
+}
+
 TEST_F(EditorTest, AModelDroppedInDrawsAndABrokenOneIsAProblem) {
   begin();
   const fs::path models = folder() / "config" / "models";
@@ -340,26 +400,81 @@ TEST(Journal, KeepsWhatACrashWouldTake) {
   const fs::path folder = fs::path(GLINT_TESTS_OUT) / "journal";
   fs::remove_all(folder);
   const NodeRegistry nodes;
+  Diagnostics warnings;
   Material kept;
   {
     Document document(nodes, folder);
     document.edit("Add", [](GraphEditor& graph) { return graph.addNode("constant", {10, 20}); });
     document.edit("Add", [](GraphEditor& graph) { return graph.addNode("constant", {30, 20}); });
     kept = document.material();
+    EXPECT_TRUE(Journal::found(folder / "journal", warnings).empty()) << "its writer lives";
   }
-  // This process lives, so its journal is not offered; under a name of a process that has ended it is.
-  EXPECT_TRUE(Journal::found(folder).empty());
-  const fs::path own = fs::directory_iterator(folder)->path();
-  std::string text = readFile(own).value();
-  fs::remove(own);
-  std::ofstream(folder / "999999999.journal") << text << "glint-journal-record 400\n{ torn";
-  const auto found = Journal::found(folder);
+  const fs::path own = fs::directory_iterator(folder / "journal")->path();
+  std::ofstream(own, std::ios::app) << "glint-journal-record 400\n{ torn";
+  std::ofstream(folder / "journal" / "junk.journal") << "glint-journal-record 99999999999999999999\n{}";
+  const auto found = Journal::found(folder / "journal", warnings);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].steps, 2);
+  EXPECT_LT(std::chrono::system_clock::now() - found[0].time, std::chrono::minutes(5));
+  EXPECT_EQ(warnings.size(), 1u) << "the one that is damaged throughout";
+  EXPECT_EQ(Journal::found(folder / "journal", warnings).size(), 1u);
+  EXPECT_EQ(warnings.size(), 1u) << "which is said once";
   Document document(nodes, {});
   EXPECT_TRUE(document.recover(found[0]).empty());
   EXPECT_EQ(document.material().nodes, kept.nodes);
   EXPECT_TRUE(document.modified());
+}
+
+// A material's file says nothing of lights; they are kept all the same, without a save and whatever ends the program.
+TEST(Scene, OfAPlainMaterialIsKeptBesideTheSession) {
+  const fs::path folder = fs::path(GLINT_TESTS_OUT) / "scenes";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const NodeRegistry nodes;
+  Diagnostics warnings;
+  const fs::path file = folder / "plain.json";
+  Document first(nodes, folder / "state");
+  first.startNew(newMaterial("plain"), {});
+  Preview lit = first.preview();
+  lit.lights.push_back({.kind = LightKind::Point, .position = {1, 2, 3}, .candela = 7});
+  lit.models = {"burley"};
+  first.setPreview("Light", lit);
+  EXPECT_TRUE(first.modified()) << "it has no file yet to keep it by";
+  ASSERT_TRUE(first.saveAs(file, false).empty());
+  EXPECT_FALSE(first.modified());
+  const std::string bytes = readFile(file).value();
+  EXPECT_EQ(bytes.find("lights"), std::string::npos);
+  lit.exposure = 2;
+  first.setPreview("Exposure", lit);
+  EXPECT_FALSE(first.modified());
+  EXPECT_EQ(readFile(file).value(), bytes);
+
+  // The first still runs: what it would do when it ends is not needed.
+  Document second(nodes, folder / "state");
+  ASSERT_TRUE(second.open(file, warnings).empty());
+  EXPECT_TRUE(second.preview().sameSettings(lit));
+  EXPECT_FALSE(second.modified());
+  // Where the viewer stood is kept when the document is left.
+  Orbit orbit = second.preview().comparisonOrbit;
+  orbit.yaw = 77;
+  second.setOrbit(orbit);
+  second.startNew(newMaterial("other"), {});
+  EXPECT_TRUE(second.preview().lights.empty());
+  ASSERT_TRUE(second.open(file, warnings).empty());
+  EXPECT_EQ(second.preview().lights.size(), 1u);
+  EXPECT_EQ(second.preview().comparisonOrbit.yaw, 77);
+  EXPECT_TRUE(second.problems().empty());
+
+  const fs::path state = fs::directory_iterator(folder / "state" / "scenes")->path();
+  for (const char* damage : {"", "{ \"material\": ", "[1, 2]", "{\"material\": 3, \"scene\": {}}", "\xff\xfe\0"}) {
+    std::ofstream(state, std::ios::trunc) << damage;
+    Document third(nodes, folder / "state");
+    EXPECT_TRUE(third.open(file, warnings).empty()) << damage;
+    EXPECT_EQ(third.problems().size(), 1u) << damage;
+    EXPECT_TRUE(third.preview().lights.empty()) << damage;
+    std::ofstream(state, std::ios::trunc) << damage;
+  }
+  EXPECT_TRUE(warnings.empty());
 }
 
 TEST(Preview, ReadsBackWhatItWroteAndForgivesDamage) {
