@@ -106,10 +106,15 @@ void EnvironmentLighting::drawFullTarget(const gl::Program& program, GLuint fram
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+void EnvironmentLighting::forgetUnused() {
+  constexpr size_t kSpareMaps = 1, kSpareTables = 8;
+  maps_.nextFrame(kSpareMaps);
+  prefiltered_.nextFrame(kSpareTables);
+  brdf_.nextFrame(kSpareTables);
+}
+
 const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environment) {
-  const auto found = maps_.find(environment->hash);
-  if (found != maps_.end()) return found->second;
-  if (maps_.size() >= 8) maps_.clear();  // a handful is enough to go back and forth between
+  if (const EnvironmentMaps* found = maps_.find(environment->hash)) return *found;
 
   const ImageF& image = environment->pixels;
   EnvironmentMaps maps;
@@ -140,7 +145,7 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   maps.irradiance = irradianceHarmonics(image);
   maps.irradianceBuffer = gl::createBuffer(std::as_bytes(std::span(maps.irradiance)));
   if (progress_) progress_("environment " + environment->name, 1);
-  return maps_.emplace(environment->hash, std::move(maps)).first->second;
+  return maps_.put(environment->hash, std::move(maps));
 }
 
 Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSetting& setting) {
@@ -284,8 +289,7 @@ gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& 
 Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting) {
   const uint64_t modelKey = setting.key();
   const uint64_t key = hashBytes(&modelKey, 8, environment->hash);
-  if (const auto found = prefiltered_.find(key); found != prefiltered_.end()) return found->second.id();
-  if (prefiltered_.size() >= 64) prefiltered_.clear();
+  if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
 
   // On disk lie the levels from 1 on; level 0 is the environment, which is at hand.
   const auto levelBytes = [](int level) { return static_cast<size_t>(kSize >> level) * static_cast<size_t>(kSize >> level) * 6 * 8; };
@@ -325,13 +329,12 @@ Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environmen
       writeCache("prefiltered", key, bytes);
     }
   }
-  return prefiltered_.emplace(key, std::move(cube)).first->second.id();
+  return prefiltered_.put(key, std::move(cube)).id();
 }
 
 Result<GLuint> EnvironmentLighting::brdf(const ModelSetting& setting) {
   const uint64_t key = setting.key();
-  if (const auto found = brdf_.find(key); found != brdf_.end()) return found->second.id();
-  if (brdf_.size() >= 64) brdf_.clear();
+  if (const gl::Texture* found = brdf_.find(key)) return found->id();
   gl::Texture table = gl::createTexture2D(GL_RGBA16F, kBrdfSize, kBrdfSize);
   const size_t bytes = size_t{kBrdfSize} * kBrdfSize * 8;
   if (const auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == bytes) {
@@ -353,7 +356,7 @@ Result<GLuint> EnvironmentLighting::brdf(const ModelSetting& setting) {
     }
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
   }
-  return brdf_.emplace(key, std::move(table)).first->second.id();
+  return brdf_.put(key, std::move(table)).id();
 }
 
 std::array<glm::vec4, 9> irradianceHarmonics(const ImageF& image) {

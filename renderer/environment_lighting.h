@@ -6,7 +6,6 @@
 #include <array>
 #include <functional>
 #include <glm/glm.hpp>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "materials/model.h"
 #include "renderer/gl/objects.h"
 #include "renderer/program_cache.h"
+#include "renderer/recently_used.h"
 #include "renderer/scene.h"
 
 namespace glint {
@@ -62,6 +62,12 @@ class EnvironmentLighting {
 
   void setProgress(Progress progress) { progress_ = std::move(progress); }
 
+  // Between frames: keeps the maps and tables of the last one, and a few more to go back and forth between. Building
+  // them again is only a matter of reading them from disk.
+  void forgetUnused();
+  // How many prefiltered cubes (4 MB each) are kept.
+  size_t cubes() const { return prefiltered_.size(); }
+
   const EnvironmentMaps& maps(const EnvironmentPtr&);
   // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
   // is the model's GLSL not compiling.
@@ -87,8 +93,8 @@ class EnvironmentLighting {
   Progress progress_;
   gl::VertexArray quad_;
   gl::Buffer quadInstance_;
-  std::map<uint64_t, EnvironmentMaps> maps_;
-  std::map<uint64_t, gl::Texture> prefiltered_, brdf_;
+  RecentlyUsed<EnvironmentMaps> maps_;
+  RecentlyUsed<gl::Texture> prefiltered_, brdf_;
 };
 
 // Coefficients of the irradiance of an environment (Ramamoorthi and Hanrahan 2001, eq. 13), over pi.

@@ -17,14 +17,12 @@ uint64_t requestHash(const ShaderText& text, uint64_t seed) {
 
 Result<const gl::Program*> ProgramCache::get(const ShaderText& vertex, const ShaderText& fragment) {
   const uint64_t key = requestHash(fragment, requestHash(vertex, 0));
-  auto found = programs_.find(key);
-  if (found == programs_.end())
-    found = programs_
-                .emplace(key, gl::buildProgram(fragment.path, {{GL_VERTEX_SHADER, assembleShader(vertex)},
-                                                               {GL_FRAGMENT_SHADER, assembleShader(fragment)}}))
-                .first;
-  if (!found->second) return found->second.diagnostics();
-  return &*found->second;
+  const Result<gl::Program>* found = programs_.find(key);
+  if (!found)
+    found = &programs_.put(key, gl::buildProgram(fragment.path, {{GL_VERTEX_SHADER, assembleShader(vertex)},
+                                                                 {GL_FRAGMENT_SHADER, assembleShader(fragment)}}));
+  if (!*found) return found->diagnostics();
+  return &**found;
 }
 
 const gl::Program& ProgramCache::shipped(const ShaderText& vertex, const ShaderText& fragment) {

@@ -23,7 +23,6 @@ enum class Output {
   Radiance,    // scene-referred, added up
 };
 
-constexpr size_t kMostPrograms = 512;   // a long session of editing graphs must not fill the memory
 constexpr int kMostGroups = 254;   // the stencil's values but 0, which is the background
 
 // Low-discrepancy offsets within a pixel (Halton 1960, bases 2 and 3), centred on 0; the first is the centre itself.
@@ -147,7 +146,8 @@ struct Renderer::State {
     frame.clear();
     meshes.forgetUnused();
     textures.forgetUnused();
-    if (programs.size() > kMostPrograms) forgetPrograms();
+    programs.forgetUnused();
+    lighting.forgetUnused();
     problems.clear();
     statistics = {};
     emissive = parameters = false;
@@ -338,7 +338,7 @@ struct Renderer::State {
         if (!r.view.points.empty()) defines.push_back("POINT_LIGHTS");
         if (emissive) defines.push_back("EMISSIVE");
         if (parameters) defines.push_back("READS_PARAMETERS");
-        GLuint cube = 0, table = 0;
+        GLuint cube = 0, table = 0, irradiance = 0;
         if (environment) {
           // Building tables changes the state; the pass begins anew after it.
           const auto prefiltered = lighting.prefiltered(environment, group.setting);
@@ -346,6 +346,7 @@ struct Renderer::State {
           GLINT_CHECK(prefiltered && brdf, "a sound shader has tables");
           cube = *prefiltered;
           table = *brdf;
+          irradiance = lighting.maps(environment).irradianceBuffer.id();
           defines.push_back("ENVIRONMENT");
         }
         const gl::Program& program = lightingProgram(group, defines);
@@ -354,7 +355,7 @@ struct Renderer::State {
         if (environment) {
           glBindTextureUnit(6, cube);
           glBindTextureUnit(7, table);
-          glBindBufferBase(GL_UNIFORM_BUFFER, 3, lighting.maps(environment).irradianceBuffer.id());
+          glBindBufferBase(GL_UNIFORM_BUFFER, 3, irradiance);
         }
         group.setting.apply(program);
         glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);

@@ -300,5 +300,23 @@ TEST_F(RendererTest, TrianglesThatFaceAwayAreNotDrawn) {
   for (size_t i = 0; i < whole.data.size(); ++i) ASSERT_NEAR(whole.data[i], culled.data[i], 1e-3f);
 }
 
+// A plugin that is edited for an hour is hundreds of models: their tables go when they are no longer drawn.
+TEST_F(RendererTest, ReloadedModelsLeaveNothingBehind) {
+  Renderer own(*context);
+  const EnvironmentPtr environment = test::uniformEnvironment(1);
+  for (int i = 0; i < 20; ++i) {
+    auto model = parseModel("m.glsl", "/*glint {\"id\": \"m\", \"terms\": {\"D\": \"GGX\", \"V\": \"Implicit\", \"F\": \"None\"}} */\n"
+                                      "vec3 diffuse(Shading s, Parameters p) { return vec3(0." + std::to_string(10 + i) + "); }\n");
+    ASSERT_TRUE(model);
+    Scene scene;
+    scene.materials.push_back(test::material(std::make_shared<const ShadingModel>(std::move(*model)), {}));
+    scene.instances.push_back({sphere, glm::mat4(1), 0});
+    scene.environment = environment;
+    const View view{&scene, orthographic(), {0, 0, 16, 16}};
+    own.picture(std::span(&view, 1), {16, 16}, {});
+  }
+  EXPECT_LE(own.environmentLighting().cubes(), 10u);
+}
+
 }  // namespace
 }  // namespace glint
