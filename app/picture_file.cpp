@@ -88,6 +88,11 @@ ImageF linearFromDisplay(const ImageF& image) {
 
 ImageF linearFromDisplay(const Image8& image) { return linearFromDisplay(colours(image)); }
 
+Diagnostic invalidPixelsWarning(const fs::path& file, int count) {
+  return warning(file.string(), fmt::format("{} pixels were not finite and are black", count),
+                 "the shading model or the material returns NaN or infinity there");
+}
+
 ImageNotes pictureNotes(const Arguments& arguments, const gl::Context& context, std::span<const Scene> scenes) {
   ImageNotes notes;
   notes["Software"] = "Glint " GLINT_VERSION;

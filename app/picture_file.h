@@ -32,6 +32,9 @@ Result<ReadPicture> readPicture(const std::filesystem::path&);
 ImageF linearFromDisplay(const ImageF&);
 ImageF linearFromDisplay(const Image8&);
 
+// What is said of a picture in which pixels had no value.
+Diagnostic invalidPixelsWarning(const std::filesystem::path&, int count);
+
 // Command line, versions, OpenGL, and the content hashes of every model, material, mesh and environment in the
 // scenes, once each.
 ImageNotes pictureNotes(const Arguments&, const gl::Context&, std::span<const Scene>);

@@ -163,6 +163,10 @@ Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSet
   drawFullTarget(**program, framebuffer.id(), kLobeWidth, kLevels);
   std::vector<float> values(kLobeWidth * kLevels);
   glGetTextureImage(color, 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * 4), values.data());
+  if (const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !(v >= 0); })) {
+    invalid_[setting.key()].lobe = static_cast<int>(bad);
+    for (float& v : values) v = v >= 0 ? v : 0;
+  }
   std::vector<std::vector<float>> rows;
   for (int level = 0; level < kLevels; ++level)
     rows.emplace_back(values.begin() + level * kLobeWidth, values.begin() + (level + 1) * kLobeWidth);
@@ -319,7 +323,8 @@ Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environmen
     auto made = prefilter(environment, setting, samples);
     if (!made) return made.diagnostics();
     cube = std::move(*made);
-    if (diskCache_) {
+    // What is wrong is not kept, so that it is said whenever it is drawn.
+    if (diskCache_ && invalid(setting).lobe == 0) {
       std::string bytes(total, '\0');
       size_t offset = 0;
       for (int level = 1; level < kLevels; ++level) {
@@ -336,9 +341,10 @@ Result<GLuint> EnvironmentLighting::brdf(const ModelSetting& setting) {
   const uint64_t key = setting.key();
   if (const gl::Texture* found = brdf_.find(key)) return found->id();
   gl::Texture table = gl::createTexture2D(GL_RGBA16F, kBrdfSize, kBrdfSize);
-  const size_t bytes = size_t{kBrdfSize} * kBrdfSize * 8;
-  if (const auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == bytes) {
-    glTextureSubImage2D(table.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGBA, GL_HALF_FLOAT, stored->data());
+  std::string halfs(size_t{kBrdfSize} * kBrdfSize * 8, '\0');
+  if (const auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == halfs.size()) {
+    halfs = *stored;
+    glTextureSubImage2D(table.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGBA, GL_HALF_FLOAT, halfs.data());
   } else {
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 0);
     const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", {},
@@ -349,14 +355,20 @@ Result<GLuint> EnvironmentLighting::brdf(const ModelSetting& setting) {
     const GLuint color = table.id();
     const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
     drawFullTarget(**program, framebuffer.id(), kBrdfSize, kBrdfSize);
-    if (diskCache_) {
-      std::string out(bytes, '\0');
-      glGetTextureImage(color, 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(bytes), out.data());
-      writeCache("environment-brdf", key, out);
-    }
+    glGetTextureImage(color, 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(halfs.size()), halfs.data());
+    if (diskCache_) writeCache("environment-brdf", key, halfs);
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
   }
+  // Alpha is 0 where a value was not finite.
+  int bad = 0;
+  for (size_t i = 0; i < halfs.size(); i += 8) bad += halfs[i + 6] == 0 && halfs[i + 7] == 0;
+  if (bad) invalid_[key].brdf = bad;
   return brdf_.put(key, std::move(table)).id();
+}
+
+EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {
+  const auto found = invalid_.find(setting.key());
+  return found == invalid_.end() ? Invalid{} : found->second;
 }
 
 std::array<glm::vec4, 9> irradianceHarmonics(const ImageF& image) {

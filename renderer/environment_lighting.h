@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "materials/model.h"
@@ -73,6 +74,11 @@ class EnvironmentLighting {
   // is the model's GLSL not compiling.
   Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&);
   Result<GLuint> brdf(const ModelSetting&);
+  // How many values of the tables made for a setting were not finite (or beyond what a half can hold) and are 0 instead.
+  struct Invalid {
+    int brdf = 0, lobe = 0;
+  };
+  Invalid invalid(const ModelSetting&) const;
 
   // The lobe's values over the angle (lobe.h), one row for each level.
   Result<std::vector<std::vector<float>>> lobe(const ModelSetting&);
@@ -95,6 +101,7 @@ class EnvironmentLighting {
   gl::Buffer quadInstance_;
   RecentlyUsed<EnvironmentMaps> maps_;
   RecentlyUsed<gl::Texture> prefiltered_, brdf_;
+  std::unordered_map<uint64_t, Invalid> invalid_;  // by setting; only those that have any
 };
 
 // Coefficients of the irradiance of an environment (Ramamoorthi and Hanrahan 2001, eq. 13), over pi.

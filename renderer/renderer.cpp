@@ -347,6 +347,7 @@ struct Renderer::State {
           cube = *prefiltered;
           table = *brdf;
           irradiance = lighting.maps(environment).irradianceBuffer.id();
+          reportInvalidTables(group.setting);
           defines.push_back("ENVIRONMENT");
         }
         const gl::Program& program = lightingProgram(group, defines);
@@ -362,6 +363,17 @@ struct Renderer::State {
         drawRectangles(program, group);
       }
     }
+  }
+
+  void reportInvalidTables(const ModelSetting& setting) {
+    const auto [brdf, lobe] = lighting.invalid(setting);
+    const auto report = [&](int count, const char* table) {
+      const Diagnostic said = warning(setting.shader->model->file.string(), fmt::format("{} values of its {} were not finite and are black", count, table),
+                                      "the shading model returns NaN or infinity there");
+      if (count > 0 && std::find(problems.begin(), problems.end(), said) == problems.end()) problems.push_back(said);
+    };
+    report(brdf, "environment BRDF");
+    report(lobe, "lobe over the environment");
   }
 
   void bindLighting(const ReadyView& r, const LightGroup& group) {

@@ -328,6 +328,8 @@ int run(const Arguments& arguments) {
   // A row at a time: the memory that a sheet takes does not grow with its rows.
   Cells cells;
   std::vector<ImageF> strips;
+  Diagnostics drawn;
+  int invalidPixels = 0;
   const int gap = 8;
   for (int row = 0; row < comparison->rows(); ++row) {
     CellGrid strip{1, comparison->columns(), plan->cell, gap, gap};
@@ -342,8 +344,13 @@ int run(const Arguments& arguments) {
       for (const View& view : views) cells.pictures.back().push_back(cutCell(picture, view.rectangle));
     }
     if (hasErrors(renderer.problems())) return badInput(renderer.problems());
+    append(drawn, renderer.problems());
+    invalidPixels += renderer.statistics().invalidPixels;
     log::progress("comparing", double(row + 1) / comparison->rows());
   }
+
+  log::report(drawn);
+  if (invalidPixels > 0) log::report(invalidPixelsWarning(plan->output, invalidPixels));
 
   const ImageNotes notes = pictureNotes(arguments, **context, comparison->scenes);
   glm::ivec2 size{0};

@@ -70,8 +70,7 @@ int run(const Arguments& arguments) {
 
   const Renderer::Statistics& statistics = renderer.statistics();
   if (statistics.invalidPixels > 0)
-    log::report(warning(output.string(), fmt::format("{} pixels were not finite and are black", statistics.invalidPixels),
-                        "the shading model or the material returns NaN or infinity there"));
+    log::report(invalidPixelsWarning(output, statistics.invalidPixels));
   const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   if (arguments.json) {
     nlohmann::ordered_json document;

@@ -196,6 +196,7 @@ void Editor::collectProblems() {
   add(nodes_.problems());
   add(document_->problems());
   add(recoveryProblems_);
+  add(shown().modelProblems);
   add(shown().problems);
   std::stable_sort(problems_.begin(), problems_.end(),
                    [](const Diagnostic& a, const Diagnostic& b) { return a.severity < b.severity; });

@@ -70,7 +70,7 @@ bool RenderThread::working() const {
 
 bool RenderThread::settled() const {
   const std::lock_guard lock(mutex_);
-  return !pending_ && !busy_ && !refining_ && !finished_;
+  return !pending_ && !busy_ && !refining_ && !checking_ && !finished_;
 }
 
 void RenderThread::publish(FrameResult result) {
@@ -117,7 +117,7 @@ void RenderThread::run() {
         std::unique_lock lock(mutex_);
         // A texture is drawn again only after the window has gone over to the next one, so each picture waits until
         // the one before has been taken.
-        changed_.wait(lock, [&] { return stop_ || (!finished_ && (pending_ || refining_)); });
+        changed_.wait(lock, [&] { return stop_ || (!finished_ && (pending_ || refining_ || checking_)); });
         if (stop_) break;
         if (pending_) {
           request = std::move(*pending_);
@@ -126,13 +126,16 @@ void RenderThread::run() {
           refining_ = false;
         }
       }
+      // Between two pictures one model is looked at: a fault is known in a moment and no picture waits for it.
       bool more = true;
       if (fresh) draw(renderer, scene, request);
+      else if (!unchecked_.empty()) checkModel(renderer);
       else more = refine(renderer, scene);
       const std::lock_guard lock(mutex_);
       busy_ = false;
       progress_.reset();
       refining_ = more && !pending_;
+      checking_ = !unchecked_.empty();
     }
   }
   for (Kept& kept : kept_) kept = {};
@@ -145,6 +148,8 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   if (modelsRevision_ != request.modelsRevision) {
     renderer.invalidateModels();
     modelsRevision_ = request.modelsRevision;
+    unchecked_ = request.models;
+    last_.modelProblems.clear();
   }
   {
     const std::lock_guard lock(mutex_);
@@ -179,6 +184,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.subject = scene.subject;
   result.problems = scene.problems;
   result.problems.insert(result.problems.end(), renderer.problems().begin(), renderer.problems().end());
+  result.modelProblems = last_.modelProblems;
   result.graphOk = scene.graphOk;
   result.meshMaterials = scene.meshMaterials;
   result.code = scene.code;
@@ -190,6 +196,14 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   if (smoothedCost_ == 0 && divisor == 1) smoothedCost_ = 1;  // the first picture pays for compiling: not its cost
   last_ = result;
   publish(std::move(result));
+}
+
+void RenderThread::checkModel(Renderer& renderer) {
+  const Diagnostics faults = renderer.check(unchecked_.back());
+  unchecked_.pop_back();
+  if (faults.empty()) return;
+  last_.modelProblems.insert(last_.modelProblems.end(), faults.begin(), faults.end());
+  publish(last_);
 }
 
 bool RenderThread::refine(Renderer& renderer, PreviewScene&) {

@@ -28,6 +28,7 @@ struct FrameResult {
   float radius = 1;
   std::string subject;
   Diagnostics problems;
+  Diagnostics modelProblems;        // what a compiler says of the models, drawn or not, as far as they were looked at
   bool graphOk = true;
   std::vector<MaterialPtr> meshMaterials;
   std::string code;
@@ -66,6 +67,7 @@ class RenderThread {
   void run();
   void draw(Renderer&, PreviewScene&, const FrameRequest&);
   bool refine(Renderer&, PreviewScene&);
+  void checkModel(Renderer&);                 // the next of those not looked at
   void publish(FrameResult);
   unsigned keep(unsigned drawn, glm::ivec2 size);   // a copy that stays while it is shown
 
@@ -79,7 +81,7 @@ class RenderThread {
   std::optional<FrameRequest> pending_;
   std::optional<FrameResult> finished_;       // not yet taken
   std::optional<Progress> progress_;
-  bool stop_ = false, busy_ = false, refining_ = false;
+  bool stop_ = false, busy_ = false, refining_ = false, checking_ = false;
 
   FrameResult shown_;                         // the window's
 
@@ -89,6 +91,7 @@ class RenderThread {
   std::vector<View> views_;
   RenderSettings settings_;
   uint64_t modelsRevision_ = 0;
+  std::vector<ModelPtr> unchecked_;
   // Copies for the window: one is shown, one is on its way, one is free to be made anew at any size.
   struct Kept {
     gl::Texture texture;

@@ -26,5 +26,6 @@ void main() {
   Parameters p = modelParameters(standardParameters);
   modelPrepare(s, p);
   float kernel = (modelHasD ? modelD(s, p) : dot(modelSpecular(s, p), vec3(1.0 / 3.0))) * cos(theta);
-  outColor = vec4(kernel < 1e30 ? max(kernel, 0.0) : 0.0);
+  // Less than nothing says that it was not finite.
+  outColor = vec4(abs(kernel) < 1e30 ? max(kernel, 0.0) : -1.0);
 }

@@ -81,6 +81,24 @@ TEST(ModelsCommand, ATakenIdIsSaid) {
   EXPECT_EQ(glint({"models", "--models-dir", "mine"}).code, 1);
 }
 
+// Under an environment alone a model is only seen through its tables.
+TEST(ModelsCommand, TablesThatAreNotFiniteAreSaid) {
+  write("mine/nan.glsl", "/*glint {\"id\": \"nan\"} */\n"
+                         "vec3 specular(Shading s, Parameters p) { return vec3(s.NoV < 2.0 ? 1e38 * 1e38 : 1.0); }\n");
+  const std::vector<std::string> words = {"--models-dir", "mine", "--env", "furnace", "-o", "out.png"};
+  std::vector<std::string> render = {"render", "--model", "nan", "--size", "8x8", "--samples", "1"};
+  std::vector<std::string> compare = {"compare", "--models", "nan", "--sweep", "roughness=0..1:2", "--cell", "16", "--samples", "1"};
+  for (auto& command : {&render, &compare, &render}) {  // the last with what the others left on disk
+    command->insert(command->end(), words.begin(), words.end());
+    const auto ran = glint(*command);
+    if (command == &render) command->resize(command->size() - words.size());
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("glint: warning: mine/nan.glsl: 4096 values of its environment BRDF were not finite and are black; "));
+    EXPECT_THAT(ran.err, HasSubstr("values of its lobe over the environment were not finite and are black"));
+    EXPECT_EQ(ran.errorLines().size(), 2u) << ran.err;
+  }
+}
+
 TEST(ModelsCommand, ChecksTheLaws) {
   write("mine/bright.glsl", "/*glint {\"id\": \"bright\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"},\n"
                             "\"claims\": {\"energyConserving\": true}} */\n"

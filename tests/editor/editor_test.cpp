@@ -359,7 +359,18 @@ TEST_F(EditorTest, AModelDroppedInDrawsAndABrokenOneIsAProblem) {
   document().edit("Model", [](GraphEditor& graph) { return graph.setModel("flat-test"); });
   ASSERT_TRUE(ui().settle());
   EXPECT_TRUE(ui().editor().problems().empty()) << ui().editor().problems()[0].text();
+
+  // One that is not drawn is looked at all the same.
+  std::ofstream(models / "broken-test.glsl") << "/*glint { \"id\": \"broken-test\" } */\n\n"
+                                                "vec3 specular(Shading s, Parameters p) { return s.nope; }\n";
+  for (int i = 0; i < 100 && ui().editor().problems().empty(); ++i) {
+    ui().frames();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ASSERT_EQ(ui().editor().problems().size(), 1u);
+  EXPECT_EQ(ui().editor().problems()[0].place, (models / "broken-test.glsl").string() + ":3");
   fs::remove(models / "flat-test.glsl");
+  fs::remove(models / "broken-test.glsl");
 }
 
 TEST_F(EditorTest, ScreenshotShowsTheEditor) {
