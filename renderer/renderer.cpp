@@ -575,6 +575,23 @@ struct Renderer::State {
   std::map<std::string, std::shared_ptr<const ModelShader>> lastGood;
 };
 
+namespace {
+
+// How many pixels of the views, rows from the bottom, are so; between views nothing is drawn.
+template <class IsSo>
+int countInViews(std::span<const View> views, glm::ivec2 size, const IsSo& isSo) {
+  int count = 0;
+  for (const View& view : views) {
+    const glm::ivec4 r = view.rectangle;
+    for (int y = std::max(r.y, 0); y < std::min(r.y + r.w, size.y); ++y)
+      for (int x = std::max(r.x, 0); x < std::min(r.x + r.z, size.x); ++x)
+        count += isSo(static_cast<size_t>(y) * static_cast<size_t>(size.x) + static_cast<size_t>(x));
+  }
+  return count;
+}
+
+}  // namespace
+
 Renderer::Renderer(const gl::Context&) : state_(std::make_unique<State>()) {}
 Renderer::~Renderer() = default;
 
@@ -599,8 +616,8 @@ Image8 Renderer::picture(std::span<const View> views, glm::ivec2 size, const Ren
     for (int x = 0; x < size.x; ++x) {
       const uint8_t* p = &pixels[(static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)) * 4];
       std::copy(p, p + 3, image.at(x, y));
-      s.statistics.invalidPixels += p[3] != 255;
     }
+  s.statistics.invalidPixels = countInViews(views, size, [&](size_t pixel) { return pixels[pixel * 4 + 3] != 255; });
   return image;
 }
 
@@ -616,8 +633,9 @@ ImageF Renderer::linear(std::span<const View> views, glm::ivec2 size, const Rend
     for (int x = 0; x < size.x; ++x) {
       const float* p = &pixels[(static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)) * 4];
       for (int c = 0; c < 3; ++c) image.at(x, y)[c] = p[c] / static_cast<float>(samples);
-      s.statistics.invalidPixels += p[3] < static_cast<float>(samples) - 0.5f;
     }
+  s.statistics.invalidPixels =
+      countInViews(views, size, [&](size_t pixel) { return pixels[pixel * 4 + 3] < static_cast<float>(samples) - 0.5f; });
   return image;
 }
 
