@@ -232,40 +232,7 @@ void Layout::drawLeaf(Node& node, ImVec2 low, ImVec2 high, const std::function<v
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {high.x, low.y + strip}, theme::kHeader);
 
-  float x = low.x + theme::px(4);
-  for (int i = 0; i < int(node.panels.size()); ++i) {
-    const std::string& panel = node.panels[size_t(i)];
-    const auto badge = std::find_if(badges_.begin(), badges_.end(), [&](const auto& b) { return b.first == panel; });
-    const float textWidth = ImGui::CalcTextSize(panel.c_str()).x;
-    const float badgeWidth = badge == badges_.end() ? 0 : ImGui::CalcTextSize(badge->second.c_str()).x + theme::px(14);
-    const float width = textWidth + badgeWidth + theme::px(20);
-    const ImVec2 tabLow = {x, low.y + theme::px(3)}, tabHigh = {x + width, low.y + strip};
-    ImGui::SetCursorScreenPos(tabLow);
-    ImGui::PushID(panel.c_str());
-    ImGui::InvisibleButton("tab", {width, tabHigh.y - tabLow.y});
-    ui::mark("tab:" + panel);
-    const bool active = i == node.active, over = ImGui::IsItemHovered();
-    if (ImGui::IsItemActivated() && !active) {
-      node.active = i;
-      changed_ = true;
-    }
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, theme::px(12))) dragged_ = panel;
-    if (ImGui::BeginPopupContextItem("menu")) {
-      if (ImGui::MenuItem("Close panel")) hide_ = panel;
-      ImGui::EndPopup();
-    }
-    ImGui::PopID();
-    if (active)
-      list.AddRectFilled(tabLow, tabHigh, theme::kPanel, theme::px(4), ImDrawFlags_RoundCornersTop);
-    list.AddText({x + theme::px(10), std::round((tabLow.y + tabHigh.y - ImGui::GetFontSize()) / 2)},
-                 active ? theme::kText : over ? theme::grey(190) : theme::kTextDim, panel.c_str());
-    if (badge != badges_.end()) {
-      const ImVec2 b = {x + theme::px(16) + textWidth, tabLow.y + theme::px(5)};
-      list.AddRectFilled(b, {b.x + badgeWidth - theme::px(6), tabHigh.y - theme::px(5)}, theme::kError, theme::px(7));
-      list.AddText({b.x + theme::px(4), std::round((tabLow.y + tabHigh.y - ImGui::GetFontSize()) / 2)}, theme::grey(20), badge->second.c_str());
-    }
-    x += width;
-  }
+  drawTabs(node, low, high.x - low.x, strip);
 
   if (!node.panels.empty()) {
     ImGui::SetCursorScreenPos({low.x, low.y + strip});
@@ -304,6 +271,85 @@ void Layout::drawLeaf(Node& node, ImVec2 low, ImVec2 high, const std::function<v
     }
   }
   ImGui::End();
+}
+
+std::string Layout::badgeOf(const std::string& panel) const {
+  const auto found = std::find_if(badges_.begin(), badges_.end(), [&](const auto& badge) { return badge.first == panel; });
+  return found == badges_.end() ? "" : found->second;
+}
+
+float Layout::tabWidth(const std::string& panel) const {
+  const std::string badge = badgeOf(panel);
+  return ImGui::CalcTextSize(panel.c_str()).x + theme::px(20) +
+         (badge.empty() ? 0 : ImGui::CalcTextSize(badge.c_str()).x + theme::px(14));
+}
+
+void Layout::drawTabs(Node& node, ImVec2 low, float width, float strip) {
+  // What finds no room goes under a menu at the end of the strip; the active one always has its tab.
+  const float more = theme::px(26);
+  float all = theme::px(4);
+  for (const std::string& panel : node.panels) all += tabWidth(panel);
+  float room = width - theme::px(4) - (all > width ? more : 0);
+  if (!node.panels.empty()) room -= tabWidth(node.panels[size_t(node.active)]);
+  std::vector<std::string> hidden;
+  float x = low.x + theme::px(4);
+  for (int i = 0; i < int(node.panels.size()); ++i) {
+    const float natural = tabWidth(node.panels[size_t(i)]);
+    if (i != node.active) {
+      if (!hidden.empty() || natural > room) {
+        hidden.push_back(node.panels[size_t(i)]);
+        continue;
+      }
+      room -= natural;
+    }
+    const float tab = std::min(natural, low.x + width - x - (all > width ? more : 0));
+    drawTab(node, i, {x, low.y + theme::px(3)}, {x + tab, low.y + strip});
+    x += tab;
+  }
+  if (hidden.empty()) return;
+  const bool wrong = std::any_of(hidden.begin(), hidden.end(), [&](const std::string& panel) { return !badgeOf(panel).empty(); });
+  ImGui::SetCursorScreenPos({low.x + width - more, low.y + theme::px(3)});
+  if (ImGui::InvisibleButton("more", {more, strip - theme::px(3)})) ImGui::OpenPopup("more tabs");
+  ui::mark("more tabs:" + hidden.front());
+  const std::string sign = "\u00bb";
+  const ImVec2 text = ImGui::CalcTextSize(sign.c_str());
+  ImGui::GetWindowDrawList()->AddText({std::round(low.x + width - (more + text.x) / 2), std::round(low.y + (strip - text.y) / 2)},
+                                      wrong ? theme::kError : ImGui::IsItemHovered() ? theme::kText : theme::kTextDim, sign.c_str());
+  if (!ImGui::BeginPopup("more tabs")) return;
+  for (const std::string& panel : hidden) {
+    const std::string badge = badgeOf(panel);
+    if (ImGui::MenuItem(panel.c_str(), badge.empty() ? nullptr : badge.c_str())) show(panel);
+    ui::mark("tab:" + panel);
+  }
+  ImGui::EndPopup();
+}
+
+void Layout::drawTab(Node& node, int index, ImVec2 low, ImVec2 high) {
+  const std::string panel = node.panels[size_t(index)], badge = badgeOf(panel);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::SetCursorScreenPos(low);
+  ImGui::PushID(panel.c_str());
+  ImGui::InvisibleButton("tab", {std::max(1.0f, high.x - low.x), high.y - low.y});
+  ui::mark("tab:" + panel);
+  const bool active = index == node.active, over = ImGui::IsItemHovered();
+  if (ImGui::IsItemActivated() && !active) {
+    node.active = index;
+    changed_ = true;
+  }
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, theme::px(12))) dragged_ = panel;
+  if (ImGui::BeginPopupContextItem("menu")) {
+    if (ImGui::MenuItem("Close panel")) hide_ = panel;
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  if (active) list.AddRectFilled(low, high, theme::kPanel, theme::px(4), ImDrawFlags_RoundCornersTop);
+  const float badgeWidth = badge.empty() ? 0 : ImGui::CalcTextSize(badge.c_str()).x + theme::px(8);
+  const float y = std::round((low.y + high.y - ImGui::GetFontSize()) / 2), room = high.x - low.x - theme::px(20) - (badge.empty() ? 0 : badgeWidth + theme::px(6));
+  ui::elidedText({low.x + theme::px(10), y}, room + 1, active ? theme::kText : over ? theme::grey(190) : theme::kTextDim, panel);
+  if (badge.empty()) return;
+  const ImVec2 b = {high.x - badgeWidth - theme::px(8), low.y + theme::px(5)};
+  list.AddRectFilled(b, {b.x + badgeWidth, high.y - theme::px(5)}, theme::kError, theme::px(7));
+  list.AddText({b.x + theme::px(4), y}, theme::grey(20), badge.c_str());
 }
 
 Json Layout::toJson() const { return nodeJson(*root_); }

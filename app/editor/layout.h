@@ -51,6 +51,10 @@ class Layout {
   enum class Side { Center, Left, Right, Top, Bottom };
   void drawNode(Node&, ImVec2 low, ImVec2 high, const std::function<void(const std::string&)>&);
   void drawLeaf(Node&, ImVec2 low, ImVec2 high, const std::function<void(const std::string&)>&);
+  void drawTabs(Node&, ImVec2 low, float width, float strip);
+  void drawTab(Node&, int index, ImVec2 low, ImVec2 high);
+  float tabWidth(const std::string& panel) const;
+  std::string badgeOf(const std::string& panel) const;
   void place(const std::string& panel, Node& target, Side);
   void prune();
 

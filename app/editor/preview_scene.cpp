@@ -43,7 +43,8 @@ void boundsOf(const Scene& scene, glm::vec3& center, float& radius) {
 
 }  // namespace
 
-ComparisonLayout comparisonLayout(glm::ivec2 size, int rows, int columns, float scale) {
+ComparisonLayout comparisonLayout(glm::ivec2 size, int rows, const std::vector<std::string>& titles, float scale) {
+  const int columns = int(titles.size());
   ComparisonLayout layout;
   layout.titleHeight = std::round(30 * scale);
   layout.titleWidth = std::round(108 * scale);
@@ -55,11 +56,28 @@ ComparisonLayout comparisonLayout(glm::ivec2 size, int rows, int columns, float 
   grid.gapX = grid.gapY = gap;
   const int n = std::max(1, columns), m = std::max(1, rows);
   grid.cell = std::max(8, std::min((width - gap * (n - 1)) / n, (height - gap * (m - 1)) / m));
+  // Where cells are small and there is room, they stand apart so that their titles can be read: at some 8 units a letter.
+  size_t letters = 0;
+  for (const std::string& title : titles) letters = std::max(letters, title.size());
+  const int wanted = int(std::round((8.0f * float(std::min<size_t>(letters, 24)) + 12) * scale)) - grid.cell;
+  if (n > 1) grid.gapX = std::max(gap, std::min(wanted, (width - grid.cell * n) / (n - 1)));
   const glm::ivec2 whole = grid.size();
   // The titles and the cells together lie in the middle.
   grid.origin.x = int(layout.titleWidth) + std::max(0, (size.x - int(layout.titleWidth) - margin - whole.x) / 2);
   grid.origin.y = margin + std::max(0, (height - whole.y) / 2);
   return layout;
+}
+
+std::vector<std::string> distinctTitles(const std::vector<ColumnName>& columns) {
+  std::vector<std::string> titles;
+  for (const ColumnName& column : columns) {
+    const auto alike = std::count_if(columns.begin(), columns.end(), [&](const ColumnName& c) { return c.name == column.name; });
+    std::string title = alike > 1 && !column.particular.empty() ? column.name + " (" + column.particular + ")" : column.name;
+    const std::string base = title;
+    for (int i = 2; std::find(titles.begin(), titles.end(), title) != titles.end(); ++i) title = base + " " + std::to_string(i);
+    titles.push_back(std::move(title));
+  }
+  return titles;
 }
 
 PreviewScene::PreviewScene(const NodeRegistry& nodes, const FunctionLibrary& functions)
@@ -169,7 +187,7 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
   if (!sphere) sphere = sphereMesh();
 
   struct Column {
-    std::string title;
+    ColumnName title;
     MaterialPtr material;
     uint64_t revision;
     std::vector<Setting> settings;
@@ -179,19 +197,22 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
   if (preview.columns == Preview::Columns::Sweep) {
     const Sweep sweep{preview.sweepName, preview.sweepFrom, preview.sweepTo, std::clamp(preview.sweepCount, 1, 16)};
     for (int i = 0; i < sweep.count; ++i)
-      columns.push_back({sweep.name + " " + sweep.title(i), request.material, request.materialRevision,
+      columns.push_back({{sweep.name + " " + sweep.title(i), ""}, request.material, request.materialRevision,
                          {{sweep.name, fmt::format("{}", sweep.value(i))}}, "sweep" + std::to_string(i)});
   } else {
-    columns.push_back({request.material->name, request.material, request.materialRevision, {}, "edited"});
+    columns.push_back({{request.material->name, "edited"}, request.material, request.materialRevision, {}, "edited"});
     for (const std::string& name : preview.materials) {
       const MaterialPtr loaded = material(name);
       // Its revision is its identity: a changed file is another object.
-      if (loaded) columns.push_back({loaded->name, loaded, reinterpret_cast<uintptr_t>(loaded.get()), {}, "file " + name});
+      if (loaded) columns.push_back({{loaded->name, name == loaded->name ? "library" : fs::path(name).filename().string()}, loaded, reinterpret_cast<uintptr_t>(loaded.get()), {}, "file " + name});
     }
   }
+  // The material as it is, whichever models it is compared in.
+  std::vector<std::string> ids = preview.models;
+  if (std::find(ids.begin(), ids.end(), request.material->model) == ids.end()) ids.push_back(request.material->model);
   if (preview.columns == Preview::Columns::Sweep) {
     bool any = false;
-    for (const std::string& id : preview.models)
+    for (const std::string& id : ids)
       for (const ModelPtr& one : request.models)
         if (one->id == id) any |= takesSetting(*request.material, *one, preview.sweepName);
     if (!any)
@@ -199,13 +220,14 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
                               "choose an attribute, or a parameter of the material or of a model")});
   }
 
-  std::vector<std::string> ids = preview.models;
-  if (ids.empty()) ids.push_back(request.material->model);
+  ownRow = -1;
   Comparison made;
   made.camera = preview.comparisonOrbit.camera(1);
-  for (const Column& column : columns) made.columnTitles.push_back(column.title);
+  std::vector<ColumnName> names;
+  for (const Column& column : columns) names.push_back(column.title);
+  made.columnTitles = distinctTitles(names);
   for (const std::string& id : ids) {
-    const ModelPtr shading = model(request, id, "comparison");
+    const ModelPtr shading = model(request, id, id == request.material->model ? request.material->place() : "comparison");
     if (!shading) continue;
     std::vector<Scene> row;
     for (const Column& column : columns) {
@@ -217,6 +239,7 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
       }
       row.push_back(std::move(cell));
     }
+    if (id == request.material->model) ownRow = made.rows();
     made.rowTitles.push_back(shading->title);
     for (Scene& cell : row) made.scenes.push_back(std::move(cell));
   }

@@ -44,6 +44,7 @@ class PreviewScene {
 
   bool comparison = false;
   Comparison cells;                 // when comparison
+  int ownRow = -1;                  // the one whose model is the edited material's; -1: its model is unknown
   Scene scene;                      // else
   glm::vec3 center{0};              // of what is seen
   float radius = 1;
@@ -93,11 +94,17 @@ class PreviewScene {
   uint64_t codeRevision_ = 0, codeModel_ = 0;
 };
 
+// What stands over the columns, each told from the others: where names are alike, what is particular to each follows.
+struct ColumnName {
+  std::string name, particular;
+};
+std::vector<std::string> distinctTitles(const std::vector<ColumnName>&);
+
 // The cells of a comparison in a viewport, with room for a title over each column and before each row.
 struct ComparisonLayout {
   CellGrid grid;
   float titleHeight = 0, titleWidth = 0;   // framebuffer pixels
 };
-ComparisonLayout comparisonLayout(glm::ivec2 size, int rows, int columns, float scale);
+ComparisonLayout comparisonLayout(glm::ivec2 size, int rows, const std::vector<std::string>& columnTitles, float scale);
 
 }  // namespace glint

@@ -165,7 +165,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   views_.clear();
   FrameResult result;
   if (scene.comparison) {
-    result.layout = comparisonLayout(request.size, scene.cells.rows(), scene.cells.columns(), request.scale);
+    result.layout = comparisonLayout(request.size, scene.cells.rows(), scene.cells.columnTitles, request.scale);
     if (scene.cells.rows() > 0 && scene.cells.columns() > 0) views_ = comparisonViews(scene.cells, result.layout.grid);
     for (View& view : views_) view.rectangle /= divisor;
   } else {
@@ -179,6 +179,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.comparison = scene.comparison;
   result.rowTitles = scene.cells.rowTitles;
   result.columnTitles = scene.cells.columnTitles;
+  result.ownRow = scene.ownRow;
   result.center = scene.center;
   result.radius = scene.radius;
   result.subject = scene.subject;

@@ -24,6 +24,7 @@ struct FrameResult {
   ComparisonLayout layout;          // in pixels of the request's size
   glm::ivec2 layoutSize{0};
   std::vector<std::string> rowTitles, columnTitles;
+  int ownRow = -1;                  // PreviewScene::ownRow
   glm::vec3 center{0};
   float radius = 1;
   std::string subject;

@@ -87,8 +87,9 @@ void heading(const std::string& text) {
   ImGui::PopFont();
 }
 
-void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+namespace {
+
+void showTooltip(const std::string& text) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(9), theme::px(6)});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme::px(340));
@@ -96,6 +97,33 @@ void tooltip(const std::string& text) {
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void tooltip(const std::string& text) {
+  if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) showTooltip(text);
+}
+
+std::string elided(const std::string& text, float room, ImFont* font) {
+  if (!font) font = ImGui::GetFont();
+  const auto width = [&](const std::string& t) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, t.c_str()).x; };
+  if (width(text) <= room) return text;
+  std::string kept = text;
+  do {
+    // A whole character goes, however many bytes it has.
+    while (!kept.empty() && (kept.back() & 0xc0) == 0x80) kept.pop_back();
+    if (!kept.empty()) kept.pop_back();
+  } while (!kept.empty() && width(kept + "\u2026") > room);
+  return kept + "\u2026";
+}
+
+void elidedText(ImVec2 at, float room, ImU32 color, const std::string& text, ImFont* font) {
+  if (!font) font = ImGui::GetFont();
+  const std::string shown = elided(text, room, font);
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, color, shown.c_str());
+  const ImVec2 end = {at.x + room, at.y + font->FontSize};
+  if (shown != text && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end)) showTooltip(text);
 }
 
 bool section(const char* title, bool open) {
@@ -120,15 +148,17 @@ bool beginProperty(const std::string& label, const std::string& doc, bool canRes
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   mark(label + ":label");
   bool reset = canReset && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-  tooltip(doc.empty() && !canReset ? "" : doc + (canReset ? (doc.empty() ? "" : "\n") + std::string("Double-click to reset") : ""));
+  std::string tip = elided(label, high.x - low.x - theme::px(4)) == label ? "" : label;
+  if (!doc.empty()) tip += (tip.empty() ? "" : "\n") + doc;
+  if (canReset) tip += (tip.empty() ? "" : "\n") + std::string("Double-click to reset");
+  tooltip(tip);
   if (canReset && ImGui::BeginPopupContextItem("menu")) {
     if (ImGui::MenuItem("Reset to default")) reset = true;
     ImGui::EndPopup();
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect(low, {high.x - theme::px(4), high.y}, true);
-  list.AddText({low.x, low.y + ImGui::GetStyle().FramePadding.y}, canReset ? theme::kText : theme::grey(190), label.c_str());
-  list.PopClipRect();
+  const std::string shown = elided(label, high.x - low.x - theme::px(4));
+  list.AddText({low.x, low.y + ImGui::GetStyle().FramePadding.y}, canReset ? theme::kText : theme::grey(190), shown.c_str());
   ImGui::SetCursorPos({at.x + labelWidth, at.y});
   ImGui::SetNextItemWidth(-FLT_MIN);
   ImGui::PushItemWidth(width - labelWidth);
@@ -325,9 +355,9 @@ bool row(const std::string& name, const std::string& title, const std::string& d
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = low.y + (height - ImGui::GetFontSize()) / 2;
   const float detailWidth = detail.empty() ? 0 : ImGui::CalcTextSize(detail.c_str()).x + theme::px(8);
-  list.PushClipRect(low, {low.x + width - detailWidth, low.y + height}, true);
-  list.AddText({low.x + theme::px(6), y}, theme::kText, title.c_str());
-  list.PopClipRect();
+  const std::string shown = elided(title, width - detailWidth - theme::px(12));
+  list.AddText({low.x + theme::px(6), y}, theme::kText, shown.c_str());
+  if (shown != title) tooltip(title);
   if (!detail.empty()) list.AddText({low.x + width - detailWidth, y}, theme::kTextDim, detail.c_str());
   return pressed;
 }

@@ -40,6 +40,11 @@ void textSmall(const std::string&);
 void heading(const std::string&);
 void tooltip(const std::string&);                       // over the item just submitted, after a moment
 
+// The text, or as much of it as there is room for, ending in an ellipsis. `font` null: ImGui's own.
+std::string elided(const std::string&, float room, ImFont* font = nullptr);
+// Draws that; where something had to go, the pointer finds the whole.
+void elidedText(ImVec2 at, float room, ImU32 color, const std::string&, ImFont* font = nullptr);
+
 // A titled part of a panel; false when folded.
 bool section(const char* title, bool open = true);
 

@@ -14,7 +14,7 @@ class ModelsPanel final : public Panel {
   void draw(Editor& editor) override {
     const PanelBody body;
     Document& document = editor.document();
-    ui::textDim("Ticked models are the rows of the comparison.");
+    ui::textDim("Ticked models are the rows of the comparison; the material\u2019s own always has one.");
     ImGui::Dummy({0, theme::px(2)});
     for (const ModelPtr& model : editor.models().all()) {
       ImGui::PushID(model->id.c_str());

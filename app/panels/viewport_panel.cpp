@@ -23,7 +23,8 @@ class ViewportPanel final : public Panel {
   void toolbar(Editor&);
   void picture(Editor&, ImVec2 low, ImVec2 size);
   void titles(const FrameResult&, ImVec2 low, ImVec2 size);
-  void control(Editor&, ImVec2 size, bool hovered);
+  void control(Editor&, ImVec2 low, ImVec2 size, bool hovered);
+  static void magnify(const FrameResult&, Orbit&, ImVec2 mouse, float factor);
   Drag drag_ = Drag::None;
 };
 
@@ -37,7 +38,7 @@ void ViewportPanel::draw(Editor& editor) {
   ImGui::InvisibleButton("view", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                            ImGuiButtonFlags_MouseButtonMiddle);
   ui::mark("view");
-  control(editor, size, ImGui::IsItemHovered());
+  control(editor, low, size, ImGui::IsItemHovered());
 }
 
 void ViewportPanel::toolbar(Editor& editor) {
@@ -123,19 +124,24 @@ void ViewportPanel::toolbar(Editor& editor) {
     }
   }
 
-  // On the right: what is shown of it, and how bright.
+  // On the right: what is shown of it, and how bright; on a line of their own where the panel is too narrow for both.
   const ViewMode* mode = findViewMode(preview.view);
-  const float width = theme::px(150), right = low.x + ImGui::GetContentRegionMax().x;
-  const float x = right - 2 * width - theme::px(16);
-  ImGui::SameLine();
-  if (x < ImGui::GetCursorScreenPos().x) return ImGui::SetCursorScreenPos({low.x, low.y + height});
-  ImGui::SetCursorScreenPos({x, low.y + (height - ImGui::GetFrameHeight()) / 2});
+  const float edge = theme::px(8), right = low.x + ImGui::GetContentRegionMax().x - edge;
+  ImGui::SameLine(0, theme::px(12));
+  float left = ImGui::GetCursorScreenPos().x, top = low.y;
+  if (right - left < theme::px(190)) {
+    top += height;
+    left = low.x + edge;
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, top}, {right + edge, top + height}, theme::kPanel);
+  }
+  const float width = std::clamp((right - left - theme::px(8)) / 2, theme::px(40), theme::px(150));
+  ImGui::SetCursorScreenPos({right - 2 * width - theme::px(8), top + (height - ImGui::GetFrameHeight()) / 2});
   ImGui::SetNextItemWidth(width);
   char format[32];
-  std::snprintf(format, sizeof format, "exposure %%+.2f EV");
+  std::snprintf(format, sizeof format, width < theme::px(130) ? "%%+.2f EV" : "exposure %%+.2f EV");
   if (ImGui::DragFloat("##exposure", &preview.exposure, 0.02f, -16, 16, format)) document.setPreview("Exposure", preview);
   ui::mark("exposure");
-  ui::tooltip("Drag; double-click or Ctrl+click to type");
+  ui::tooltip("Exposure: drag; double-click or Ctrl+click to type");
   ImGui::SameLine(0, theme::px(8));
   ImGui::SetNextItemWidth(width);
   if (ImGui::BeginCombo("##viewmode", mode ? mode->title : "Lit", ImGuiComboFlags_HeightLarge)) {
@@ -149,7 +155,7 @@ void ViewportPanel::toolbar(Editor& editor) {
     ImGui::EndCombo();
   }
   ui::mark("viewmode");
-  ImGui::SetCursorScreenPos({low.x, low.y + height});
+  ImGui::SetCursorScreenPos({low.x, top + height});
 }
 
 void ViewportPanel::picture(Editor& editor, ImVec2 low, ImVec2 size) {
@@ -184,29 +190,62 @@ void ViewportPanel::titles(const FrameResult& frame, ImVec2 low, ImVec2) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const CellGrid& grid = frame.layout.grid;
   const float height = float(frame.layoutSize.y);
-  ImFont* bold = ui::fonts().bold();
+  ImFont *bold = ui::fonts().bold(), *regular = ImGui::GetFont(), *small = ui::fonts().small();
+  const auto widthIn = [](ImFont* font, const std::string& text) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x; };
   for (int column = 0; column < grid.columns && column < int(frame.columnTitles.size()); ++column) {
     const glm::ivec4 cell = grid.rectangle(0, column);
     const std::string& title = frame.columnTitles[size_t(column)];
-    const ImVec2 text = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, title.c_str());
-    const float x = low.x + float(cell.x) + std::max(0.0f, std::round((float(cell.z) - text.x) / 2));
-    const float y = low.y + height - float(cell.y + cell.w) - text.y - theme::px(7);
-    list.PushClipRect({low.x + float(cell.x), y - 4}, {low.x + float(cell.x + cell.z), y + text.y + 4}, true);
-    list.AddText(bold, bold->FontSize, {x, std::round(y)}, theme::kText, title.c_str());
-    list.PopClipRect();
+    // As far as the middle of the gaps on both sides.
+    const float room = float(cell.z + grid.gapX) - theme::px(6), width = std::min(room, widthIn(bold, title));
+    const ImVec2 at = {low.x + float(cell.x) + (float(cell.z) - width) / 2, low.y + height - float(cell.y + cell.w) - bold->FontSize - theme::px(7)};
+    ui::elidedText(at, width + 1, theme::kText, title, bold);
+    ui::markRect("column:" + title, at, {at.x + width, at.y + bold->FontSize});
   }
   for (int row = 0; row < grid.rows && row < int(frame.rowTitles.size()); ++row) {
     const glm::ivec4 cell = grid.rectangle(row, 0);
     const std::string& title = frame.rowTitles[size_t(row)];
-    const float room = frame.layout.titleWidth - theme::px(14);
-    const ImVec2 text = ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, room, title.c_str());
-    const ImVec2 at = {std::round(low.x + float(cell.x) - theme::px(10) - text.x),
-                       std::round(low.y + height - float(cell.y) - float(cell.w) / 2 - text.y / 2)};
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, theme::grey(200), title.c_str(), nullptr, room);
+    const bool own = row == frame.ownRow;
+    const float right = low.x + float(cell.x) - theme::px(10), room = right - low.x - theme::px(6), width = std::min(room, widthIn(regular, title));
+    const float middle = low.y + height - float(cell.y) - float(cell.w) / 2;
+    // The one that the material is made for; a second line says so where there is one.
+    const std::string note = "this material\u2019s";
+    const bool two = own && float(cell.w) > regular->FontSize + small->FontSize + theme::px(2);
+    const float top = middle - (regular->FontSize + (two ? small->FontSize + theme::px(1) : 0)) / 2;
+    ui::elidedText({right - width, top}, width + 1, own ? theme::kText : theme::grey(190), title, regular);
+    if (two) list.AddText(small, small->FontSize, {std::round(right - widthIn(small, note)), std::round(top + regular->FontSize + theme::px(1))}, theme::kAccent, note.c_str());
+    if (own) {
+      const float x = low.x + float(cell.x) - theme::px(4), y = low.y + height - float(cell.y);
+      list.AddRectFilled({x, y - float(cell.w)}, {x + theme::px(2), y}, theme::kAccent);
+    }
+    ui::markRect(own ? "own row:" + title : "row:" + title, {right - width, top}, {right, top + regular->FontSize});
   }
 }
 
-void ViewportPanel::control(Editor& editor, ImVec2 size, bool hovered) {
+// Half the height that is seen at the target, in metres.
+static float halfHeight(const Orbit& orbit) { return orbit.distance * std::tan(glm::radians(orbit.fov) / 2); }
+
+// Closer in every cell at once, about the point under the pointer (pixels from the picture's top left); on the way back
+// the whole sphere returns to the middle.
+void ViewportPanel::magnify(const FrameResult& frame, Orbit& orbit, ImVec2 mouse, float factor) {
+  const CellGrid& grid = frame.layout.grid;
+  glm::vec2 about(0);
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const glm::vec4 cell = grid.rectangle(row, column);
+      const glm::vec2 in = (glm::vec2(mouse.x, float(frame.layoutSize.y) - mouse.y) - glm::vec2(cell)) / cell.z * 2.0f - 1.0f;
+      if (glm::all(glm::lessThan(glm::abs(in), glm::vec2(1)))) about = in;
+    }
+  const float whole = halfHeight(Preview{}.comparisonOrbit), before = halfHeight(orbit);
+  const float after = std::clamp(before * factor, whole / 40, whole);
+  orbit.fov = glm::degrees(2 * std::atan(after / orbit.distance));
+  const Camera camera = orbit.camera(1);
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+  const glm::vec3 side = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(side, forward);
+  if (after < before) orbit.target += (side * about.x + up * about.y) * (before - after);
+  else if (before < whole) orbit.target *= (whole - after) / (whole - before);
+}
+
+void ViewportPanel::control(Editor& editor, ImVec2 low, ImVec2 size, bool hovered) {
   Document& document = editor.document();
   const ImGuiIO& io = ImGui::GetIO();
   const Preview& preview = document.preview();
@@ -228,7 +267,8 @@ void ViewportPanel::control(Editor& editor, ImVec2 size, bool hovered) {
       const Camera camera = orbit.camera(1);
       const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
       const glm::vec3 side = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(side, forward);
-      const float metres = 2 * orbit.distance * std::tan(glm::radians(orbit.fov) / 2) / std::max(1.0f, size.y);
+      const bool cells = editor.shown().comparison && preview.subject == Preview::Subject::Comparison;
+      const float metres = 2 * halfHeight(orbit) / (cells ? float(editor.shown().layout.grid.cell) : std::max(1.0f, size.y));
       orbit.target += (side * -moved.x + up * moved.y) * metres;
       document.setOrbit(orbit);
     } else {
@@ -243,6 +283,8 @@ void ViewportPanel::control(Editor& editor, ImVec2 size, bool hovered) {
       const float before = std::tan(glm::radians(orbit.fov) / 2);
       orbit.fov = std::clamp(orbit.fov * std::pow(0.92f, io.MouseWheel), 4.0f, 120.0f);
       orbit.distance *= before / std::tan(glm::radians(orbit.fov) / 2);
+    } else if (preview.subject == Preview::Subject::Comparison) {
+      magnify(editor.shown(), orbit, {io.MousePos.x - low.x, io.MousePos.y - low.y}, std::pow(0.9f, io.MouseWheel));
     } else {
       orbit.distance = std::clamp(orbit.distance * std::pow(0.9f, io.MouseWheel), 1e-3f, 1e5f);
     }

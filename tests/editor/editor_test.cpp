@@ -313,6 +313,48 @@ TEST_F(EditorTest, AsksBeforeTheSceneOfAnUntitledMaterialIsLost) {
   EXPECT_NE(document().preview().environment.find("named.hdr"), std::string::npos);
 }
 
+// Whatever is compared, the material is seen as it is: its own model has a row, and picking another moves it.
+TEST_F(EditorTest, TheMaterialsOwnModelIsAlwaysARow) {
+  begin();
+  Preview preview = document().preview();
+  preview.subject = Preview::Subject::Comparison;
+  preview.models = {"ggx"};
+  preview.materials = {"aluminium", "black"};
+  Material material = newMaterial("aluminium");
+  material.model = "burley";
+  document().startNew(material, preview);
+  ASSERT_TRUE(ui().settle());
+  const FrameResult& shown = ui().editor().shown();
+  ASSERT_EQ(shown.rowTitles.size(), 2u);
+  EXPECT_EQ(shown.ownRow, 1);
+  EXPECT_TRUE(ui().has("Viewport/own row:" + ui().editor().models().find("burley")->title));
+  EXPECT_EQ(shown.columnTitles, (std::vector<std::string>{"aluminium (edited)", "aluminium (library)", "black"}));
+  for (const std::string& title : shown.columnTitles) EXPECT_TRUE(ui().has("Viewport/column:" + title));
+  document().edit("Model", [](GraphEditor& graph) { return graph.setModel("ggx"); });
+  ASSERT_TRUE(ui().settle());
+  EXPECT_EQ(ui().editor().shown().rowTitles.size(), 1u);
+  EXPECT_EQ(ui().editor().shown().ownRow, 0);
+
+  // The wheel goes closer about the pointer, in every cell; on the way back nothing is cut.
+  const ui::Rect view = ui().rect("Viewport/view");
+  const glm::vec4 cell = ui().editor().shown().layout.grid.rectangle(0, 0);
+  const Orbit whole = document().preview().comparisonOrbit;
+  ui().wheel({view.low.x + cell.x + cell.z * 0.75f, view.high.y - cell.y - cell.w * 0.5f}, 3);
+  const Orbit close = document().preview().comparisonOrbit;
+  EXPECT_LT(close.fov, whole.fov);
+  EXPECT_GT(close.target.x, 0.1f);
+  EXPECT_NEAR(close.target.y, 0, 0.02);
+  ui().wheel({view.low.x + cell.x + 4, view.high.y - cell.y - 4}, -8);
+  EXPECT_NEAR(document().preview().comparisonOrbit.fov, whole.fov, 1e-3);
+  EXPECT_NEAR(glm::length(document().preview().comparisonOrbit.target), 0, 1e-4);
+  begin();
+}
+
+TEST(ColumnTitles, AreTold) {
+  EXPECT_EQ(distinctTitles({{"a", "x"}, {"b", "y"}}), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(distinctTitles({{"a", "x"}, {"a", "y"}, {"a", "y"}}), (std::vector<std::string>{"a (x)", "a (y)", "a (y) 2"}));
+}
+
 TEST_F(EditorTest, OffersWhatACrashLeftAtAnyStart) {
   begin();
   const fs::path config = folder() / "config";
