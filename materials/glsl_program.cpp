@@ -293,4 +293,11 @@ int GlslProgram::keptCount() const {
   return static_cast<int>(std::count_if(statements_.begin(), statements_.end(), [](const Statement& s) { return s.kept; }));
 }
 
+int64_t GlslProgram::operations() const {
+  int64_t sum = 0;
+  for (const Statement& s : statements_)
+    if (s.kept) sum += s.kind ? s.kind->operations : 1;
+  return sum;
+}
+
 }  // namespace glint

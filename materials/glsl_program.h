@@ -68,6 +68,7 @@ class GlslProgram {
 
   size_t statementCount() const { return statements_.size(); }
   int keptCount() const;
+  int64_t operations() const;                    // of the kept statements, see glslOperations()
   int folded() const { return folded_; }
   int shared() const { return shared_; }
 

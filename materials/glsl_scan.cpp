@@ -189,6 +189,7 @@ class Scanner {
     // After a dot it is a member's name.
     if (token.isName() && !(previous_ && previous_->text == ".")) checkWord(token.text, token.line);
     noteCalls(token);
+    noteOperator(token);
     previous_ = token;
     const bool inBody = !open_.empty() && open_.front().text[0] == '{';
     const char c = token.text[0];
@@ -245,6 +246,14 @@ class Scanner {
     }
   }
 
+  // Tokens are single characters: of `+=` and `<=` the second one counts for none.
+  void noteOperator(const Token& token) {
+    constexpr std::string_view kOperators = "+-*/%<>=&|^?!";
+    const auto among = [](const Token& t, std::string_view set) { return set.find(t.text[0]) != set.npos; };
+    if (!inFunction_ || !among(token, kOperators)) return;
+    if (!(previous_ && among(*previous_, kOperators) && among(token, "=&|^<>"))) ++scan_.functions.back().operators;
+  }
+
   void countTokens(const Token& token) {
     const char c = token.text[0];
     ++total_;
@@ -272,9 +281,12 @@ class Scanner {
     noteStatement();
     const size_t at = functionName();
     if (at == std::string::npos) return;
-    GlslFunction function{std::string(statement_[at - 1].text), std::string(statement_[at].text), {},
-                          statement_[at].line, {},
-                          commentEnd_ + 1 == statement_[0].line ? comment_ : std::string()};
+    GlslFunction function{.returnType = std::string(statement_[at - 1].text),
+                          .name = std::string(statement_[at].text),
+                          .parameterTypes = {},
+                          .line = statement_[at].line,
+                          .calls = {},
+                          .comment = commentEnd_ + 1 == statement_[0].line ? comment_ : std::string()};
     // Of each parameter the last word that is followed by a word, which is its type.
     for (size_t i = at + 2; i + 1 < statement_.size(); ++i) {
       const size_t begin = i;

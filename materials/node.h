@@ -97,6 +97,7 @@ struct NodeKind {
   std::string file;                     // as diagnostics name it; empty when builtin
   std::string source;                   // GLSL with the head blanked
   std::string function;                 // "node_remap"
+  int64_t operations = 1;               // of the function, see glslOperations()
 
   const Pin* input(std::string_view name) const;
   const Pin* output(std::string_view name) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "materials/glsl_cost.h"
 #include "shaders/shipped_files.h"
 
 namespace glint {
@@ -46,7 +47,11 @@ void NodeRegistry::addFile(const std::string& file, const std::string& text) {
                               "give it another id"));
     good = false;
   }
-  if (good) add(std::move(*kind));
+  if (!good) return;
+  std::string whole = kind->source;
+  for (const std::string& name : kind->includes) whole += "\n" + includes_.at(name);
+  kind->operations = glslOperations(whole, kind->function);
+  add(std::move(*kind));
 }
 
 void NodeRegistry::add(NodeKind kind) {

@@ -18,27 +18,36 @@
   "keywords": ["voronoi", "worley", "cellular", "cracks"]
 }
 */
-// Worley 1996, "A Cellular Texture Basis Function": the nearest two points of a jittered lattice.
+void cellPoint(vec3 cell, vec3 f, vec3 offset, float jitter, inout vec2 nearest, inout float random) {
+  vec3 h = hash33(cell + offset);
+  vec3 d = offset + 0.5 + (h - 0.5) * jitter - f;
+  float d2 = dot(d, d);
+  random = mix(random, h.x, d2 < nearest.x);
+  nearest = vec2(min(nearest.x, d2), min(nearest.y, max(nearest.x, d2)));
+}
+
+void cellRow(vec3 cell, vec3 f, float y, float z, float jitter, inout vec2 nearest, inout float random) {
+  cellPoint(cell, f, vec3(-1, y, z), jitter, nearest, random);
+  cellPoint(cell, f, vec3(0, y, z), jitter, nearest, random);
+  cellPoint(cell, f, vec3(1, y, z), jitter, nearest, random);
+}
+
+void cellSlice(vec3 cell, vec3 f, float z, float jitter, inout vec2 nearest, inout float random) {
+  cellRow(cell, f, -1.0, z, jitter, nearest, random);
+  cellRow(cell, f, 0.0, z, jitter, nearest, random);
+  cellRow(cell, f, 1.0, z, jitter, nearest, random);
+}
+
+// Worley 1996, "A Cellular Texture Basis Function": the nearest two points of a jittered lattice. Written out and not
+// looped over: see fractalNoise in lib/noise.glsl.
 void node_cells(vec3 position, float scale, float jitter, out float distance, out float edge, out float random) {
   vec3 p = position * scale;
   vec3 cell = floor(p), f = p - cell;
-  float first = 8.0, second = 8.0;
+  vec2 nearest = vec2(8.0);  // squared
   random = 0.0;
-  for (int z = -1; z <= 1; ++z)
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x) {
-        vec3 offset = vec3(x, y, z);
-        vec3 h = hash33(cell + offset);
-        vec3 d = offset + 0.5 + (h - 0.5) * jitter - f;
-        float d2 = dot(d, d);
-        if (d2 < first) {
-          second = first;
-          first = d2;
-          random = h.x;
-        } else if (d2 < second) {
-          second = d2;
-        }
-      }
-  distance = sqrt(first);
-  edge = sqrt(second) - distance;
+  cellSlice(cell, f, -1.0, jitter, nearest, random);
+  cellSlice(cell, f, 0.0, jitter, nearest, random);
+  cellSlice(cell, f, 1.0, jitter, nearest, random);
+  distance = sqrt(nearest.x);
+  edge = sqrt(nearest.y) - distance;
 }

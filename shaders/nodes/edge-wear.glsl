@@ -20,8 +20,8 @@
 // A mesh has no curvature to look up here, so the wear is where a warped cellular pattern has its edges.
 float node_edge_wear(vec3 position, float scale, float amount, float raggedness) {
   vec3 p = position * scale;
-  float torn = fractalNoise(p * 3.1, 4) - 0.5;
-  float patches = fractalNoise(p * 0.6 + 9.2, 3) - 0.5;
+  float torn = fractalNoise(p * 3.1, 4, true, 0.5) - 0.5;
+  float patches = fractalNoise(p * 0.6 + 9.2, 3, true, 0.5) - 0.5;
   float field = 0.5 + patches * 2.2 + torn * raggedness * 1.6;
   float cut = mix(1.15, -0.15, clamp(amount, 0.0, 1.0));
   return smoothstep(cut - 0.03, cut + 0.03, field);

@@ -21,7 +21,7 @@
 float node_grunge(vec3 position, float scale, float amount, float softness) {
   vec3 p = position * scale;
   vec3 bend = vec3(gradientNoise(p), gradientNoise(p + 31.4), gradientNoise(p + 57.1)) - 0.5;
-  float n = fractalNoise(p * 1.7 + bend * 2.5, 5);
+  float n = fractalNoise(p * 1.7 + bend * 2.5, 5, true, 0.5);
   // 4.5 maps the noise's spread (deviation about 0.11) onto 0..1.
   float spread = clamp((n - 0.5) * 4.5 + 0.5, 0.0, 1.0);
   float edge = max(softness, 1e-3) * 0.5;

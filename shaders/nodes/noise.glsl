@@ -21,14 +21,5 @@
 }
 */
 float node_noise(vec3 position, float scale, float roughness, int type, int octaves) {
-  vec3 p = position * scale;
-  float sum = 0.0, weight = 1.0, total = 0.0;
-  for (int o = 0; o < octaves; ++o) {
-    sum += weight * (type == 0 ? gradientNoise(p) : valueNoise(p));
-    total += weight;
-    weight *= roughness;
-    // Not a whole factor, and moved: so that the octaves' lattices do not meet.
-    p = p * 2.03 + vec3(17.3, 5.1, 11.7);
-  }
-  return clamp(sum / max(total, 1e-6), 0.0, 1.0);
+  return fractalNoise(position * scale, octaves, type == 0, roughness);
 }

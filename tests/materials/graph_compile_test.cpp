@@ -1,3 +1,4 @@
+#include "materials/glsl_cost.h"
 #include "materials/graph_compile.h"
 
 #include <gmock/gmock.h>
@@ -462,6 +463,42 @@ TEST(Types, OfOutputsAreKnown) {
   const auto types = outputTypes(m, context);
   EXPECT_EQ(types.at({"dot", "out"}), ValueType::Vec3);
   EXPECT_EQ(types.at({"mix", "value"}), ValueType::Vec3);
+}
+
+// A chain of `count` nodes of a kind, each fed by the last, into the roughness.
+Material chain(const std::string& kind, const std::string& pin, int count) {
+  Material m = newMaterial("long");
+  add(m, "uv", "uv");
+  add(m, "n0", "length");
+  wire(m, "uv.uv", "n0.x");
+  std::string last = "n0.value";
+  for (int i = 1; i <= count; ++i) {
+    const std::string id = "n" + std::to_string(i);
+    add(m, id, kind);
+    wire(m, last, id + "." + pin);
+    last = id + ".value";
+  }
+  wire(m, last, "output.roughness");
+  return m;
+}
+
+// A driver's memory grows out of proportion with the length of a shader: what is too long to draw is refused.
+TEST(GraphCompile, AGraphTooLongToDrawIsRefused) {
+  EXPECT_NE(glsl(chain("sin", "x", 1500)), "");
+  EXPECT_THAT(errors(chain("sin", "x", 2500)), HasSubstr("more than the 2000 that are drawn"));
+  EXPECT_NE(glsl(chain("noise", "scale", 30)), "");
+  EXPECT_THAT(errors(chain("noise", "scale", 60)), HasSubstr("more than the 150000 that are drawn"));
+}
+
+TEST(GlslCost, CountsEveryCallAndSurvivesRecursion) {
+  EXPECT_EQ(glslOperations("float f(float x) { return x * 2.0 + 1.0; }", "f"), 2);
+  EXPECT_EQ(glslOperations("float g(float x) { return x * x; }\nfloat f(float x) { return g(x) + g(sin(x)); }", "f"), 4);
+  EXPECT_EQ(glslOperations("float f(float x) { return f(x) + 1.0; }", "f"), 2);
+  EXPECT_EQ(glslOperations("/* { ( */ float f(", "f"), 1);
+  std::string doubling = "float f0(float x) { return x + x; }\n";
+  for (int i = 1; i < 60; ++i)
+    doubling += fmt::format("float f{0}(float x) {{ return f{1}(x) + f{1}(x); }}\n", i, i - 1);
+  EXPECT_EQ(glslOperations(doubling, "f59"), 1'000'000'000);
 }
 
 TEST(Speed, AThousandNodesInTime) {

@@ -24,14 +24,27 @@ float gradientNoise(vec3 p) {
   return clamp(0.5 + 0.6 * mix(mix(x00, x10, u.y), mix(x01, x11, u.y), u.z), 0.0, 1.0);
 }
 
-// Octaves of gradient noise, each half as strong and about twice as fine. 0 to 1.
-float fractalNoise(vec3 p, int octaves) {
-  float sum = 0.0, weight = 0.5, total = 0.0;
-  for (int o = 0; o < octaves; ++o) {
-    sum += weight * gradientNoise(p);
-    total += weight;
-    weight *= 0.5;
-    p = p * 2.03 + vec3(17.3, 5.1, 11.7);
-  }
-  return sum / total;
+// One octave more of a sum of noise: each is `fade` times as strong as the last and about twice as fine, its lattice
+// moved, so that the octaves' lattices do not meet. Octaves are written out, not looped over: with more than a dozen
+// loops in one shader LLVM's scalar evolution, which doubles its work with each, no longer comes to an end.
+void addOctave(bool gradient, float fade, inout vec3 p, inout float weight, inout float sum,
+               inout float total) {
+  sum += weight * (gradient ? gradientNoise(p) : valueNoise(p));
+  total += weight;
+  weight *= fade;
+  p = p * 2.03 + vec3(17.3, 5.1, 11.7);
+}
+
+// Up to eight octaves of noise, on gradients or on values. 0 to 1, its mean 0.5.
+float fractalNoise(vec3 p, int octaves, bool gradient, float fade) {
+  float weight = 1.0, sum = 0.0, total = 0.0;
+  if (octaves > 0) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 1) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 2) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 3) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 4) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 5) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 6) addOctave(gradient, fade, p, weight, sum, total);
+  if (octaves > 7) addOctave(gradient, fade, p, weight, sum, total);
+  return clamp(sum / max(total, 1e-6), 0.0, 1.0);
 }

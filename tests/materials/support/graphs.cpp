@@ -114,15 +114,15 @@ Material bigMaterial(int count) {
   Node& parameter = add(m, "strength", "parameter");
   parameter.settings["name"] = Json::of("Strength");
   parameter.settings["value"] = Json::of(0.5);
-  const char* kinds[] = {"add", "multiply", "mix", "max", "noise"};
+  const char* kinds[] = {"add", "multiply", "mix", "max", "remap"};
   std::string last = "strength.value";
   for (int i = 0; i < count - 2; ++i) {
     const std::string id = "n" + std::to_string(i);
     const std::string kind = kinds[i % 5];
     Node& node = add(m, id, kind);
-    if (kind == "noise") {
-      node.inputs["scale"].value = Value::scalar(1.f + static_cast<float>(i));
-      wire(m, last, id + ".roughness");
+    if (kind == "remap") {
+      node.inputs["toHigh"].value = Value::scalar(1.f + static_cast<float>(i));
+      wire(m, last, id + ".x");
     } else {
       wire(m, last, id + ".a");
       node.inputs["b"].value = Value::scalar(0.01f * static_cast<float>(i + 1));
