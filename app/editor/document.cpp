@@ -144,10 +144,11 @@ bool Document::modified() const {
   return graph_->modified() || !savedMaterialKnown_ || ((project_ || file_.empty()) && !savedPreview_.sameSettings(preview_));
 }
 
-std::string Document::title() const {
-  const std::string name = file_.empty() ? material().name + " (unsaved)" : file_.filename().string();
-  return modified() ? name + " *" : name;
+std::string Document::name() const {
+  return file_.empty() ? material().name + " (unsaved)" : file_.filename().string();
 }
+
+std::string Document::title() const { return modified() ? name() + " *" : name(); }
 
 void Document::reset(Material material, const Preview& preview, const std::filesystem::path& file, bool project) {
   leave();

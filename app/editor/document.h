@@ -61,7 +61,8 @@ class Document {
   bool modified() const;
   const std::filesystem::path& file() const { return file_; }   // empty when never saved
   bool isProject() const { return project_; }
-  std::string title() const;                                     // "aluminium.json *"
+  std::string name() const;                                      // "aluminium.json"
+  std::string title() const;                                     // the same, with a star when modified
   void startNew(Material, const Preview&);                       // unsaved
   Diagnostics open(const std::filesystem::path&, Diagnostics& warnings);
   Diagnostics save();                                            // to file()

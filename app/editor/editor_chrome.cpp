@@ -1,4 +1,6 @@
 // The editor's frame around the panels: menu, shortcuts, status bar, questions.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -44,7 +46,16 @@ bool question(const char* title, bool& wanted) {
 
 }  // namespace
 
+// Escape closes the topmost menu, list or picker; questions and dialogs look for it themselves.
+static void closePopupOnEscape() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (!keyPressed(Key::Escape) || context.OpenPopupStack.empty()) return;
+  const ImGuiWindow* top = context.OpenPopupStack.back().Window;
+  if (top && !(top->Flags & ImGuiWindowFlags_Modal)) ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+}
+
 void Editor::handleShortcuts() {
+  closePopupOnEscape();
   if (files_.isOpen()) return;
   if (shortcut(kControl, Key::Z, true)) document_->undo();
   if (shortcut(kControlShift, Key::Z, true) || shortcut(kControl, Key::Y, true)) document_->redo();
@@ -242,7 +253,7 @@ void Editor::drawDialogs() {
   ui::pushScope("Dialog");
   const float width = theme::px(104);
   if (question("Save your changes?", askOpen_)) {
-    ui::textDim("\u201c" + document_->title() + "\u201d has changes that are not saved. They are lost if you go on without saving.");
+    ui::textDim("\u201c" + document_->name() + "\u201d has changes that are not saved. They are lost if you go on without saving.");
     ImGui::Dummy({0, theme::px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 3 * width - 2 * ImGui::GetStyle().ItemSpacing.x - theme::px(18));
     if (ui::button("Cancel", false, width) || keyPressed(Key::Escape)) {

@@ -96,7 +96,8 @@ void FileBrowser::choose(const fs::path& file) {
 void FileBrowser::draw() {
   if (!open_) return;
   const std::string id = request_.title + "###file-browser";
-  if (std::exchange(appearing_, false)) ImGui::OpenPopup(id.c_str());
+  const bool appearing = std::exchange(appearing_, false);
+  if (appearing) ImGui::OpenPopup(id.c_str());
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size = {std::min(theme::px(720), display.x * 0.92f), std::min(theme::px(500), display.y * 0.9f)};
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
@@ -157,7 +158,9 @@ void FileBrowser::draw() {
     ui::textDim("Name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    done = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+    // What is suggested is typed over, or taken with Enter.
+    if (appearing) ImGui::SetKeyboardFocusHere();
+    done = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     ui::mark("name");
   }
   const float width = theme::px(96);
@@ -168,6 +171,8 @@ void FileBrowser::draw() {
   ImGui::BeginDisabled(name_.empty());
   done |= ui::button(request_.saving ? (overwrite_.empty() ? "Save" : "Replace") : "Open", true, width);
   ImGui::EndDisabled();
+  // Enter outside of the fields, as after the question whether to replace.
+  done |= !appearing && !ImGui::GetIO().WantTextInput && keyPressed(Key::Enter);
   if (!pick.empty()) choose(pick);
   else if (done && !name_.empty()) choose(folder_ / name_);
   if (!keep) {

@@ -350,6 +350,46 @@ TEST_F(EditorTest, TheMaterialsOwnModelIsAlwaysARow) {
   begin();
 }
 
+TEST_F(EditorTest, SavesByEnterAndClosesByEscape) {
+  begin();
+  addNode("constant");
+  fs::remove(folder() / "typed.json");
+  ui().editor().files().setFolder(folder());
+  ui().key(Key::S, kControl);
+  ASSERT_TRUE(ui().editor().files().isOpen());
+  ui().key(Key::Escape);
+  EXPECT_FALSE(ui().editor().files().isOpen());
+  EXPECT_TRUE(document().modified());
+  // The name has the keyboard, and what is suggested is typed over.
+  ui().key(Key::S, kControl);
+  ui().type("typed");
+  ui().key(Key::Enter);
+  EXPECT_FALSE(ui().editor().files().isOpen());
+  ASSERT_TRUE(fs::exists(folder() / "typed.json"));
+  EXPECT_FALSE(document().modified());
+  // Over a file that is there, Enter is pressed twice.
+  addNode("constant");
+  ui().key(Key::S, kControlShift);
+  ui().type("typed");
+  ui().key(Key::Enter);
+  EXPECT_TRUE(ui().editor().files().isOpen());
+  EXPECT_TRUE(document().modified());
+  ui().key(Key::Enter);
+  EXPECT_FALSE(ui().editor().files().isOpen());
+  EXPECT_FALSE(document().modified());
+
+  ui().click("Menu/File");
+  ASSERT_TRUE(ui().has("Menu/Quit"));
+  ui().key(Key::Escape);
+  EXPECT_FALSE(ui().has("Menu/Quit"));
+  ui().click("Scene/Map");
+  ui().key(Key::Escape);
+  ui().click("Graph/Add node");  // which a list still open would have swallowed
+  ASSERT_TRUE(ui().has("Graph/Add/search"));
+  ui().key(Key::Escape);
+  EXPECT_FALSE(ui().has("Graph/Add/search"));
+}
+
 TEST(ColumnTitles, AreTold) {
   EXPECT_EQ(distinctTitles({{"a", "x"}, {"b", "y"}}), (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(distinctTitles({{"a", "x"}, {"a", "y"}, {"a", "y"}}), (std::vector<std::string>{"a (x)", "a (y)", "a (y) 2"}));
