@@ -14,6 +14,8 @@ namespace {
 
 constexpr float kHeader = 24, kRow = 21, kPad = 6, kField = 58;
 constexpr float kPinReach = 10;  // sheet units around a pin's centre
+constexpr float kMargin = 24;    // around what is framed
+constexpr int kReadableZoom = 3; // of kCanvasZooms, the smallest at which pins can be read
 
 struct Bezier {
   ImVec2 a, b, c, d;
@@ -85,11 +87,22 @@ void NodeCanvas::zoomAt(ImVec2 screen, int steps) {
 void NodeCanvas::show(ImVec2 low, ImVec2 high) {
   origin_ = {(low.x + high.x) / 2, (low.y + high.y) / 2};
   placed_ = true;
-  const float margin = 24;
-  // Never so small that titles cannot be read: the rest is a drag away.
-  for (zoomIndex_ = 4; zoomIndex_ > 1; --zoomIndex_)
-    if ((high.x - low.x + margin) * unit() <= high_.x - low_.x && (high.y - low.y + margin) * unit() <= high_.y - low_.y) break;
+  for (zoomIndex_ = 4; zoomIndex_ > 0; --zoomIndex_)
+    if ((high.x - low.x + kMargin) * unit() <= high_.x - low_.x && (high.y - low.y + kMargin) * unit() <= high_.y - low_.y) break;
   faces_ = fonts_->canvas()[size_t(zoomIndex_)];
+}
+
+void NodeCanvas::showReadable(ImVec2 low, ImVec2 high, ImVec2 focus) {
+  show(low, high);
+  if (zoomIndex_ >= kReadableZoom) return;
+  zoomIndex_ = kReadableZoom;
+  faces_ = fonts_->canvas()[size_t(zoomIndex_)];
+  // Along each axis: in the middle when it fits, else as near to the focus as leaves no empty edge.
+  const auto place = [](float from, float to, float wanted, float room) {
+    const float half = room / 2, least = from - kMargin / 2 + half, most = to + kMargin / 2 - half;
+    return least > most ? (from + to) / 2 : std::clamp(wanted, least, most);
+  };
+  origin_ = {place(low.x, high.x, focus.x, (high_.x - low_.x) / unit()), place(low.y, high.y, focus.y, (high_.y - low_.y) / unit())};
 }
 
 NodeShape NodeCanvas::measure(const NodeId& id, const Node& node, const Material& material, const GraphContext& context) const {
@@ -295,6 +308,24 @@ void NodeCanvas::drawWire(ImVec2 from, ImVec2 to, ImU32 colorFrom, ImU32 colorTo
     const ImVec2 next = b.at(t);
     list.AddLine(last, next, ImGui::ColorConvertFloat4ToU32({u.x + (v.x - u.x) * t, u.y + (v.y - u.y) * t, u.z + (v.z - u.z) * t, 1}), width);
     last = next;
+  }
+}
+
+void NodeCanvas::drawWireBehindNodes(ImVec2 from, ImVec2 to, ImU32 color, const NodeId& source, const NodeId& target) const {
+  const Bezier b = curve(from, to, unit());
+  const ImVec2 low{std::min({b.a.x, b.b.x, b.c.x, b.d.x}), std::min(b.a.y, b.d.y)}, high{std::max({b.a.x, b.b.x, b.c.x, b.d.x}), std::max(b.a.y, b.d.y)};
+  if (low.x > high_.x || high.x < low_.x || low.y > high_.y || high.y < low_.y) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float length = std::hypot(high.x - low.x, high.y - low.y);
+  const int parts = std::clamp(int(length / theme::px(5)), 8, 400);
+  for (const auto& [id, node] : shapes_) {
+    if (node.comment || node.reroute || id == source || id == target) continue;
+    const ImVec2 a = toScreen(node.position), c = toScreen({node.position.x + node.size.x, node.position.y + node.size.y});
+    if (a.x > high.x || c.x < low.x || a.y > high.y || c.y < low.y) continue;
+    list.PushClipRect(a, c, true);
+    for (int i = 0; i < parts; i += 2)
+      list.AddLine(b.at(float(i) / float(parts)), b.at(float(i + 1) / float(parts)), color, std::max(1.0f, 1.6f * unit()));
+    list.PopClipRect();
   }
 }
 

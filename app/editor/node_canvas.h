@@ -41,8 +41,12 @@ class NodeCanvas {
   void pan(ImVec2 screenDelta);
   void zoomAt(ImVec2 screen, int steps);       // to the next of the zooms at which text is sharp
   void show(ImVec2 low, ImVec2 high);          // frames a part of the sheet
+  // The same, but never smaller than text can be read at: what does not fit is a drag away, `focus` is seen.
+  void showReadable(ImVec2 low, ImVec2 high, ImVec2 focus);
   bool placed() const { return placed_; }
 
+  // Size and pins of a node, which need not be in the material.
+  NodeShape measure(const NodeId&, const Node&, const Material&, const GraphContext&) const;
   // Measures every node anew; call when the graph, its model or the fonts changed.
   void layOut(const Material&, const GraphContext&);
   const std::map<NodeId, NodeShape>& shapes() const { return shapes_; }
@@ -62,13 +66,14 @@ class NodeCanvas {
   // Drawing, into the current window.
   void drawGrid() const;
   void drawWire(ImVec2 fromScreen, ImVec2 toScreen, ImU32 from, ImU32 to, bool strong) const;
+  // Draws the parts of a wire that lie behind nodes, other than the two it belongs to, over these as a broken line.
+  void drawWireBehindNodes(ImVec2 fromScreen, ImVec2 toScreen, ImU32 color, const NodeId& source, const NodeId& target) const;
   ImFont* face() const { return faces_.regular; }
   ImFont* boldFace() const { return faces_.bold; }
   void text(ImVec2 screen, ImU32 color, const std::string&, bool bold = false, float room = 1e9f) const;
   float textWidth(const std::string&, bool bold = false) const;  // in framebuffer pixels at this zoom
 
  private:
-  NodeShape measure(const NodeId&, const Node&, const Material&, const GraphContext&) const;
   static void placePins(NodeShape&);
 
   ImVec2 low_{}, high_{}, origin_{};           // sheet point at the middle of the panel

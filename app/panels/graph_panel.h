@@ -20,14 +20,23 @@ class GraphPanel final : public Panel {
  private:
   enum class Mode { None, Pan, Box, Move, Wire, Knife, Value, Resize };
 
-  // graph_panel.cpp: what gestures do
+  // graph_panel.cpp: the frame, gestures and keys
   void toolbar(Editor&);
   void refresh(Editor&);
   void control(Editor&, bool hovered);
   void press(Editor&, ImVec2 mouse);
   void release(Editor&, ImVec2 mouse);
-  void dropWire(Editor&, ImVec2 mouse);
   void keys(Editor&);
+  void frame(const std::set<NodeId>& only = {});
+  void frameOutput(const Material&);                            // readable, however large the graph is
+  std::optional<PinRef> fieldAt(Editor&, ImVec2 screen) const;  // the input whose value is shown there
+
+  // graph_panel_edits.cpp: what they do to the graph
+  void dropWire(Editor&, ImVec2 mouse);
+  Position freePlace(ImVec2 wished, ImVec2 size) const;
+  // Whether a value of that type, or what an output gives, could go into the pin, as far as the pins alone tell.
+  static bool accepts(const Pin&, std::optional<ValueType> from);
+  static bool gives(const Pin& output, const Pin& input);
   void addChosen(Editor&, const NodeKind&);
   void openMenu(Editor&, ImVec2 screen);
   void insertReroute(Editor&, const PinRef& wireEnd, ImVec2 screen);
@@ -36,12 +45,12 @@ class GraphPanel final : public Panel {
   void copy(Editor&);
   void paste(Editor&, const Clip&, ImVec2 sheet);
   void comment(Editor&);
-  void frame(const std::set<NodeId>& only = {});
-  std::optional<PinRef> fieldAt(Editor&, ImVec2 screen) const;  // the input whose value is shown there
   Diagnostics connectFirst(Editor&, GraphEditor&, const NodeId&) const;
 
   // graph_panel_drawing.cpp: how it looks
   void drawWires(Editor&);
+  void drawWiresBehindNodes(Editor&);
+  bool fitsDraggedWire(const PinRef&, const Pin&, bool output) const;
   void drawNode(Editor&, const NodeId&, const Node&, const NodeShape&);
   void drawComment(Editor&, const NodeId&, const NodeShape&);
   void drawField(const Node&, const Pin&, ImVec2 low, ImVec2 high) const;
@@ -78,7 +87,7 @@ class GraphPanel final : public Panel {
   ImVec2 menuAt_{};                   // on the sheet
   std::optional<PinRef> menuWire_;    // to be connected to what is added
   bool menuWireFromOutput_ = true;
-  bool frameWanted_ = true;
+  bool frameWanted_ = true, first_ = true;   // first_: as a material just opened is shown
 };
 
 }  // namespace glint

@@ -103,6 +103,31 @@ void GraphPanel::drawWires(Editor& editor) {
     }
 }
 
+void GraphPanel::drawWiresBehindNodes(Editor& editor) {
+  for (const auto& [id, node] : editor.document().material().nodes)
+    for (const auto& [name, input] : node.inputs) {
+      if (!input.from || (mode_ == Mode::Wire && detached_ && *detached_ == PinRef{id, name})) continue;
+      const auto from = canvas_.pinCenter(*input.from, true), to = canvas_.pinCenter({id, name}, false);
+      const NodeShape* source = canvas_.shape(input.from->node);
+      const Pin* out = source && source->pins ? source->pins->output(input.from->pin) : nullptr;
+      if (!from || !to || !out) continue;
+      const ImU32 color = (pinColor(*input.from, *out, true) & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 120);
+      canvas_.drawWireBehindNodes(canvas_.toScreen(*from), canvas_.toScreen(*to), color, input.from->node, id);
+    }
+}
+
+// Whether the wire in the hand could end there; what it could not end at is dimmed.
+bool GraphPanel::fitsDraggedWire(const PinRef& ref, const Pin& pin, bool output) const {
+  if (mode_ != Mode::Wire || ref == wire_) return true;
+  if (output == wireFromOutput_ || ref.node == wire_.node) return false;
+  const NodeShape* shape = canvas_.shape(wire_.node);
+  const Pin* start = shape && shape->pins ? (wireFromOutput_ ? shape->pins->output(wire_.pin) : shape->pins->input(wire_.pin)) : nullptr;
+  if (!start) return true;
+  const auto type = types_.find(wireFromOutput_ ? wire_ : ref);
+  const Pin& input = wireFromOutput_ ? pin : *start;
+  return type != types_.end() ? accepts(input, type->second) : gives(wireFromOutput_ ? *start : pin, input);
+}
+
 void GraphPanel::drawComment(Editor& editor, const NodeId& id, const NodeShape& shape) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low = canvas_.toScreen(shape.position);
@@ -124,8 +149,10 @@ void GraphPanel::drawNode(Editor& editor, const NodeId& id, const Node& node, co
   const ImVec2 low = canvas_.toScreen(shape.position);
   const ImVec2 high = canvas_.toScreen({shape.position.x + shape.size.x, shape.position.y + shape.size.y});
   ui::markRect("node:" + id, low, {high.x, shape.reroute ? high.y : low.y + shape.header * unit});
-  const auto pinDot = [&](ImVec2 at, ImU32 color, bool wired, const std::string& name) {
+  const auto dimmed = [](ImU32 color, bool fits) { return fits ? color : (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 60); };
+  const auto pinDot = [&](ImVec2 at, ImU32 full, bool wired, bool fits, const std::string& name) {
     const ImVec2 c = canvas_.toScreen(at);
+    const ImU32 color = dimmed(full, fits);
     const float r = std::max(2.5f, 4.6f * unit);
     const bool over = std::hypot(ImGui::GetIO().MousePos.x - c.x, ImGui::GetIO().MousePos.y - c.y) < 10 * unit;
     list.AddCircleFilled(c, r + (over ? 2 * unit : 0) + 1.5f * unit, theme::grey(18));
@@ -176,9 +203,10 @@ void GraphPanel::drawNode(Editor& editor, const NodeId& id, const Node& node, co
     const Pin& pin = shape.pins->outputs[i];
     const ImVec2 c = canvas_.toScreen(shape.outputs[i]);
     const std::string title = pinTitle(pin);
-    canvas_.text({c.x - 11 * unit - canvas_.textWidth(title), c.y - lift}, theme::grey(200), title);
+    const bool fits = fitsDraggedWire({id, pin.name}, pin, true);
+    canvas_.text({c.x - 11 * unit - canvas_.textWidth(title), c.y - lift}, dimmed(theme::grey(200), fits), title);
     pinDot(shape.outputs[i], pinColor({id, pin.name}, pin, true), !wiresFrom(editor.document().material(), id, pin.name).empty(),
-           "out:" + id + "." + pin.name);
+           fits, "out:" + id + "." + pin.name);
   }
   for (size_t i = 0; i < shape.inputs.size(); ++i) {
     const Pin& pin = shape.pins->inputs[i];
@@ -186,7 +214,8 @@ void GraphPanel::drawNode(Editor& editor, const NodeId& id, const Node& node, co
     const auto input = node.inputs.find(pin.name);
     const bool wired = input != node.inputs.end() && input->second.from;
     const bool fromSurface = !pin.surface.empty() && (input == node.inputs.end() || !input->second.value);
-    canvas_.text({c.x + 11 * unit, c.y - lift}, wired ? theme::grey(220) : theme::grey(180), pinTitle(pin), false,
+    const bool fits = fitsDraggedWire({id, pin.name}, pin, false);
+    canvas_.text({c.x + 11 * unit, c.y - lift}, dimmed(wired ? theme::grey(220) : theme::grey(180), fits), pinTitle(pin), false,
                  high.x - c.x - (wired || !editable(pin) ? 14 : 78) * unit);
     ImVec2 fieldLow, fieldHigh;
     if (!wired && editable(pin) && passedThrough(node, pin).empty() && fieldRect(shape, i, fieldLow, fieldHigh)) {
@@ -198,7 +227,7 @@ void GraphPanel::drawNode(Editor& editor, const NodeId& id, const Node& node, co
         ui::markRect("value:" + id + "." + pin.name, fieldLow, fieldHigh);
       }
     }
-    pinDot(shape.inputs[i], pinColor({id, pin.name}, pin, false), wired, "in:" + id + "." + pin.name);
+    pinDot(shape.inputs[i], pinColor({id, pin.name}, pin, false), wired, fits, "in:" + id + "." + pin.name);
   }
 
   // What the pointer rests on says what it is.

@@ -350,6 +350,54 @@ TEST_F(EditorTest, TheMaterialsOwnModelIsAlwaysARow) {
   begin();
 }
 
+TEST_F(EditorTest, NewNodesLieFreeAndOneDroppedOnAWireIsOneStep) {
+  begin();
+  for (int i = 0; i < 3; ++i) addNode("constant");
+  const NodeId output = document().material().outputNode();
+  std::vector<ui::Rect> heads;
+  for (const auto& [id, node] : document().material().nodes) heads.push_back(ui().rect("Graph/node:" + id));
+  for (size_t i = 0; i < heads.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      EXPECT_TRUE(heads[i].low.x > heads[j].high.x || heads[j].low.x > heads[i].high.x || heads[i].low.y > heads[j].high.y + 10 ||
+                  heads[j].low.y > heads[i].high.y + 10);
+
+  begin();
+  addNode("constant");
+  const NodeId constant = only("constant");
+  ui().key(Key::Home);
+  const ImVec2 at = ui().at("Graph/node:" + constant);
+  ui().drag(at, {at.x - 330, at.y});
+  ui().drag(ui().at("Graph/out:" + constant + ".value"), ui().at("Graph/in:" + output + ".roughness"));
+  addNode("one minus");
+  const NodeId inserted = only("one-minus");
+  const size_t steps = document().steps().size();
+  const ImVec2 a = ui().at("Graph/out:" + constant + ".value"), b = ui().at("Graph/in:" + output + ".roughness");
+  ui().drag(ui().at("Graph/node:" + inserted), {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  const auto through = [&] {
+    const auto& inputs = document().material().node(output)->inputs;
+    const auto found = inputs.find("roughness");
+    return found != inputs.end() && found->second.from && found->second.from->node == inserted;
+  };
+  EXPECT_TRUE(through());
+  EXPECT_EQ(document().steps().size(), steps + 1);
+  ui().key(Key::Z, kControl);
+  EXPECT_FALSE(through());
+}
+
+TEST_F(EditorTest, AGraphOpensReadable) {
+  begin();
+  auto material = loadMaterial("painted-metal", ui().editor().nodes());
+  ASSERT_TRUE(material);
+  document().startNew(*material, document().preview());
+  ui().frames(4);
+  const ui::Rect canvas = ui().rect("Graph/canvas"), output = ui().rect("Graph/node:" + document().material().outputNode());
+  EXPECT_GT(output.high.y - output.low.y, 18) << "the height of a title";
+  EXPECT_GT(output.low.x, canvas.low.x);
+  EXPECT_LT(output.high.x, canvas.high.x);
+  EXPECT_GT(output.low.y, canvas.low.y);
+  EXPECT_LT(output.high.y, canvas.high.y);
+}
+
 TEST_F(EditorTest, SavesByEnterAndClosesByEscape) {
   begin();
   addNode("constant");
