@@ -284,7 +284,7 @@ void Editor::drawDialogs() {
         {"New, open, save, save as", "Ctrl+N, Ctrl+O, Ctrl+S, Ctrl+Shift+S"},
         {"Orbit", "drag with the left or middle button"},
         {"Pan", "drag with the right button, or Shift and middle"},
-        {"Move closer, field of view", "wheel, Ctrl+wheel"},
+        {"Move closer, field of view", "wheel (over a comparison: about the pointer), Ctrl+wheel"},
         {"Turn the environment", "Shift and right button, or Ctrl and left"},
         {"Frame the subject, the graph", "F over the viewport, F or Home over the graph"},
         {"Add a node", "Tab, Space or a right click on the canvas; drop a wire"},

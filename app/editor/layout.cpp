@@ -177,7 +177,8 @@ void Layout::draw(ImVec2 low, ImVec2 high, const std::function<void(const std::s
 void Layout::drawNode(Node& node, ImVec2 low, ImVec2 high, const std::function<void(const std::string&)>& drawPanel) {
   if (node.leaf()) return drawLeaf(node, low, high, drawPanel);
   const float bar = theme::px(4), from = node.stacked ? low.y : low.x, to = node.stacked ? high.y : high.x;
-  const float least = theme::px(90);
+  // Beside one another, as wide as labels with their fields need, while there is room for that.
+  const float least = node.stacked ? theme::px(90) : std::min(theme::px(230), (to - from) * 0.38f);
   float at = std::round(from + (to - from) * node.ratio);
   if (to - from > 2 * least) at = std::clamp(at, from + least, to - least);
   const ImVec2 barLow = node.stacked ? ImVec2{low.x, at - bar / 2} : ImVec2{at - bar / 2, low.y};

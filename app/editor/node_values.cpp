@@ -47,7 +47,8 @@ void inputProperty(Editor& editor, const NodeId& id, const Node& node, const Pin
     ui::beginProperty(title, pin.doc);
     const float width = ImGui::CalcItemWidth(), cut = ImGui::GetFrameHeight();
     ImGui::PushStyleColor(ImGuiCol_Button, theme::grey(42));
-    if (ImGui::Button(("\u2190 " + input->second.from->text()).c_str(), {width - cut - theme::px(4), 0}))
+    const float room = width - cut - theme::px(4);
+    if (ImGui::Button((ui::elided("\u2190 " + input->second.from->text(), room - 2 * theme::px(8)) + "###source").c_str(), {room, 0}))
       editor.selection() = {input->second.from->node};
     ui::mark(title);
     ui::tooltip("Select the node that feeds it");

@@ -307,9 +307,14 @@ bool button(const std::string& label, bool primary, float width) {
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(204, 126, 56, 255));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(220, 140, 66, 255));
   }
-  const bool pressed = ImGui::Button(label.c_str(), {width, 0});
+  const std::string text = label.substr(0, label.find("##"));
+  const std::string shown = width > 0 ? elided(text, width - 2 * theme::px(4)) : text;
+  if (shown != text) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme::px(4), ImGui::GetStyle().FramePadding.y});
+  const bool pressed = ImGui::Button((shown + "###" + label).c_str(), {width, 0});
+  if (shown != text) ImGui::PopStyleVar();
   if (primary) ImGui::PopStyleColor(3);
-  mark(label.substr(0, label.find("##")));
+  mark(text);
+  if (shown != text) tooltip(text);
   return pressed;
 }
 

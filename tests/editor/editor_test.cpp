@@ -438,6 +438,29 @@ TEST_F(EditorTest, SavesByEnterAndClosesByEscape) {
   EXPECT_FALSE(ui().has("Graph/Add/search"));
 }
 
+// On a display of twice the pixels there is half the room: tabs without any go under a menu.
+TEST_F(EditorTest, TabsWithoutRoomAreUnderAMenu) {
+  begin();
+  Preview preview = document().preview();
+  preview.subject = Preview::Subject::Comparison;
+  preview.models = {"ggx"};
+  preview.materials = {"black"};
+  document().startNew(newMaterial("trial"), preview);
+  ui().editor().setScale(2);
+  ui().frames(4);
+  ASSERT_TRUE(ui().settle());
+  EXPECT_TRUE(writeImage8(folder() / "scale2.png", ui().screenshot()).empty());
+  const std::string more = "more tabs:History";
+  EXPECT_FALSE(ui().has("tab:Problems"));
+  ASSERT_TRUE(ui().has(more));
+  ui().click(more);
+  ui().click("tab:Problems");
+  EXPECT_TRUE(ui().editor().layout().visible("Problems"));
+  EXPECT_TRUE(ui().has("tab:Problems"));
+  ui().editor().setScale(1);
+  begin();
+}
+
 TEST(ColumnTitles, AreTold) {
   EXPECT_EQ(distinctTitles({{"a", "x"}, {"b", "y"}}), (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(distinctTitles({{"a", "x"}, {"a", "y"}, {"a", "y"}}), (std::vector<std::string>{"a (x)", "a (y)", "a (y) 2"}));
@@ -528,6 +551,8 @@ TEST_F(EditorTest, TheLayoutIsDraggedAndRemembered) {
   const ui::Rect after = ui().rect("Viewport/view");
   EXPECT_NEAR(before.high.x - after.high.x, 120, 4);
   const Json kept = ui().editor().layout().toJson();
+  // It is in the file when the drag has ended, whatever ends the program.
+  EXPECT_EQ(writeJson(Session::read(folder() / "config" / "editor.json").layout), writeJson(kept));
   Layout other;
   other.fromJson(kept, {"Viewport", "Graph", "Properties", "Scene"});
   EXPECT_TRUE(other.shown("Viewport"));
