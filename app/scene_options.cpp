@@ -73,7 +73,7 @@ Result<CameraChoice> parseCamera(const std::string& text) {
   if (!keys) return keys.diagnostics();
   CameraChoice camera;
   Diagnostics problems;
-  for (const auto& [key, value] : *keys) {
+  for (const auto& [key, value, option] : *keys) {
     if (key == "eye") keep(problems, parseVector(value, place), camera.eye);
     if (key == "target") keep(problems, parseVector(value, place), camera.target);
     float number = 0;
@@ -92,7 +92,7 @@ Result<Setting> parseAssignment(const std::string& text, const std::string& plac
   const size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
     return error(place, fmt::format("'{}' is not NAME=VALUE", text), "for example roughness=0.3 or baseColor=0.8/0.1/0.1");
-  return Setting{text.substr(0, equals), text.substr(equals + 1)};
+  return Setting{text.substr(0, equals), text.substr(equals + 1), place};
 }
 
 Result<Tonemap> parseTonemap(const std::string& text) {
@@ -132,7 +132,7 @@ std::vector<Option> sceneOptionTable() {
       {"--env", "FILE or NAME", "a .hdr or .exr file, studio (the default), sky, furnace or none"},
       {"--env-rotation", "DEG", "turns the environment about +Y"},
       {"--env-intensity", "X", "multiplies the environment"},
-      {"--light", "KIND:K=V,..", "directional:dir=x/y/z,lux=X or point:pos=x/y/z,lumens=X,radius=M; cd=X, color=r/g/b (repeatable)", true},
+      {"--light", "KIND:K=V,..", "directional:dir=x/y/z,lux=X or point:pos=x/y/z,lumens=X,radius=M (10); cd=X, color=r/g/b (repeatable). A point light's falloff is (1 - (d/radius)^4)^2 / (d^2 + 1), 0 from its radius on", true},
       {"--camera", "K=V,..", "eye=x/y/z, target=x/y/z, fov=DEG or ortho=HEIGHT"},
       {"--background", "WHAT", "env, blur, none or a colour (r/g/b linear, #rrggbb)"},
       {"--size", "WxH", fmt::format("of the picture, up to {0}x{0}", kLargestPictureSide)},
@@ -166,7 +166,7 @@ Result<Light> parseLight(const std::string& text) {
   light.kind = point ? LightKind::Point : LightKind::Directional;
   Diagnostics problems;
   bool placed = false, lumens = false, candela = false;
-  for (const auto& [key, value] : *keys) {
+  for (const auto& [key, value, option] : *keys) {
     if (key == "dir") {
       placed = true;
       if (keep(problems, parseVector(value, place), light.direction)) {

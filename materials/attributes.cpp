@@ -13,7 +13,7 @@ const Attribute kAttributes[] = {
     {"cavity", "Cavity", Value::scalar(1), 0, 1, "Small-scale shadowing; darkens specular and diffuse"},
     {"ambientOcclusion", "Ambient occlusion", Value::scalar(1), 0, 1, "Darkens indirect light only"},
     {"normal", "Normal", Value{ValueType::Vec3, {0, 0, 1, 0}}, -1, 1, "Tangent space, +Y up"},
-    {"emissive", "Emissive", Value::color(0, 0, 0), 0, 10, "Light that the surface sends out, in nits"},
+    {"emissive", "Emissive", Value::color(0, 0, 0), 0, 10, "Light that the surface sends out, in nits", 65000},
     {"opacityMask", "Opacity mask", Value::scalar(1), 0, 1, "Below 0.5 the surface has a hole"},
 };
 

@@ -15,8 +15,9 @@ struct Attribute {
   std::string_view name;   // "baseColor": JSON key, pin, GLSL field and command-line word
   std::string_view title;  // "Base color"
   Value standard;          // the default
-  float minimum, maximum;  // per component, for sliders; values outside are kept
+  float minimum, maximum;  // per component, of sliders
   std::string_view doc;
+  float most = maximum;    // what it can be; `minimum` is also the least
 };
 
 // In their fixed order: baseColor, metallic, specular, roughness, cavity, ambientOcclusion, normal,

@@ -184,6 +184,7 @@ std::vector<Pin> attributePins(const ShadingModel* model) {
     p.standard = attribute.standard;
     p.minimum = attribute.minimum;
     p.maximum = attribute.maximum;
+    p.most = attribute.most;
     p.optional = true;
     pins.push_back(std::move(p));
   }
@@ -194,7 +195,7 @@ std::vector<Pin> attributePins(const ShadingModel* model) {
                   PinType::exact(parameter.standard.type), parameter.doc);
       p.standard = parameter.standard;
       p.minimum = parameter.minimum;
-      p.maximum = parameter.maximum;
+      p.maximum = p.most.emplace(parameter.maximum);
       p.optional = true;
       pins.push_back(std::move(p));
     }

@@ -33,13 +33,18 @@ class Analyser {
       fail(cycle.front(), {}, "is part of a cycle: " + path + (cycle.size() > 12 ? "..." : cycle.front()),
            "a node cannot depend on its own result; remove one of these wires");
     }
+    const std::set<NodeId> used = usedNodes();
     for (const auto& [id, node] : material_.nodes) {
       NodeInfo& info = result_.nodes[id];
       info.node = &node;
       info.kind = context_.nodes.find(node.kind);
-      if (!info.kind)
-        fail(id, {}, fmt::format("unknown kind '{}'", node.kind.substr(0, 80)),
-             suggestion(node.kind, context_.nodes.ids()));
+      if (!info.kind) {
+        // A later version's node that feeds nothing does no harm: it is kept, and the rest is drawn.
+        const std::string what = fmt::format("unknown kind '{}'", node.kind.substr(0, 80));
+        const std::string hint = suggestion(node.kind, context_.nodes.ids());
+        if (used.count(id)) fail(id, {}, what, hint);
+        else warn(id, {}, what + "; nothing uses it, it is kept", hint);
+      }
       info.pins = pinsOf(node, context_, folder_);
       if (info.kind) checkSettings(id, info);
     }
@@ -59,6 +64,24 @@ class Analyser {
   }
   void warn(const NodeId& node, std::string_view pin, std::string what, std::string hint = {}) {
     result_.problems.push_back(warning(material_.place(node, pin), std::move(what), std::move(hint)));
+  }
+
+  // What the document's results depend on, as far as wires go.
+  std::set<NodeId> usedNodes() const {
+    std::vector<NodeId> todo;
+    for (const auto& [id, node] : material_.nodes)
+      if (const NodeKind* kind = context_.nodes.find(node.kind);
+          kind && (kind->builtin == Builtin::Output || kind->builtin == Builtin::FunctionOutput))
+        todo.push_back(id);
+    std::set<NodeId> used(todo.begin(), todo.end());
+    while (!todo.empty()) {
+      const Node* node = material_.node(todo.back());
+      todo.pop_back();
+      if (!node) continue;
+      for (const auto& [pin, input] : node->inputs)
+        if (input.from && used.insert(input.from->node).second) todo.push_back(input.from->node);
+    }
+    return used;
   }
 
   // Whether both ends of an input's wire exist. Reports those that do not.
@@ -149,6 +172,8 @@ class Analyser {
         else if (!coerced(*input.value, pin.type.type))
           fail(id, name, fmt::format("a constant of type {} at a pin of type {}", glint::name(input.value->type),
                                      glint::name(pin.type)));
+        else if (pin.most && !inRange(*input.value, pin.minimum, *pin.most))
+          warn(id, name, fmt::format("{} is outside {} to {}; the nearest is used", valueText(*input.value), pin.minimum, *pin.most));
       }
     }
     bool usesGeneric = false;

@@ -137,7 +137,7 @@ class Compiler {
     const ValueType type = known->type.kind == PinType::Kind::Exact ? known->type.type : input->second.value->type;
     const auto value = coerced(*input->second.value, type);
     if (!value) return {};
-    return {constantValue(v, *known, *value), nullptr};
+    return {constantValue(v, *known, known->most ? clamped(*value, known->minimum, *known->most) : *value), nullptr};
   }
 
   // A constant on a pin: folded into the text, or a uniform while someone may be dragging it.
@@ -386,8 +386,9 @@ class Compiler {
     for (const ModelParameter& parameter : model_.parameters) {
       const auto given = material_.modelParameters.find(parameter.name);
       if (given == material_.modelParameters.end()) continue;
-      const auto value = coerced(given->second, parameter.standard.type);
+      auto value = coerced(given->second, parameter.standard.type);
       if (!value) continue;  // reported by validate()
+      value = clamped(*value, parameter.minimum, parameter.maximum);
       if (parameter.slot < 0) {
         constantParameters_[parameter.name] = program_.literal(*value);
         continue;

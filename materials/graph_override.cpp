@@ -37,8 +37,12 @@ Diagnostics overrideAttribute(Material& material, const ShadingModel& model, con
   const ValueType type = attribute ? attribute->standard.type : parameter->standard.type;
   const auto value = parseValue(type, valueText);
   if (!value)
-    return {error(fmt::format("'{}'", name), fmt::format("'{}' is not a {}", valueText.substr(0, 80), glint::name(type)),
-                  type == ValueType::Color ? "r,g,b in linear Rec.709, one number, or #rrggbb" : "")};
+    return {error(fmt::format("'{}'", name), fmt::format("'{}' is not a {} for {}", valueText.substr(0, 80), glint::name(type), name),
+                  valueHint(type))};
+  const float least = attribute ? attribute->minimum : parameter->minimum, most = attribute ? attribute->most : parameter->maximum;
+  if (!inRange(*value, least, most))
+    return {error(fmt::format("'{}'", name), fmt::format("{} {} is out of range", name, glint::valueText(*value)),
+                  fmt::format("{} to {} are allowed", least, most))};
   if (parameter && parameter->slot < 0) {
     material.modelParameters[name] = *value;
     return {};

@@ -74,6 +74,10 @@ Diagnostics validate(const Material& material, const GraphContext& context) {
       else if (!coerced(value, parameter->standard.type))
         validator.problems.push_back(error(material.place(), fmt::format("model parameter '{}' is not a {}", name,
                                                                          glint::name(parameter->standard.type))));
+      else if (!inRange(value, parameter->minimum, parameter->maximum))
+        validator.problems.push_back(
+            warning(material.place(), fmt::format("model parameter '{}' is {}, outside {} to {}; the nearest is used", name,
+                                                  valueText(value), parameter->minimum, parameter->maximum)));
     }
   return std::move(validator.problems);
 }

@@ -6,8 +6,8 @@
 
 namespace glint {
 
-// Errors: unknown kinds, wires from nowhere, cycles, types that do not fit, constants of the wrong type, no
-// output or several, functions that cannot be found or call themselves. Warnings: pins that the node does not
+// Errors: unknown kinds that a result depends on, wires from nowhere, cycles, types that do not fit, constants of the wrong type, no
+// output or several, functions that cannot be found or call themselves. Warnings: unknown kinds that nothing uses, pins that the node does not
 // have now (they may belong to another shading model; their wires are kept), unknown model parameters,
 // values outside a setting's range. Errors of nodes that reach no output count too: the file should mend.
 Diagnostics validate(const Material&, const GraphContext&);

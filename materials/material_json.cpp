@@ -131,10 +131,6 @@ class Reader {
     }
     node.kind = kindName->text;
     const NodeKind* kind = nodes_.find(node.kind);
-    if (!kind)
-      warnings_.push_back(warning(place(*kindName), fmt::format("node '{}' of unknown kind '{}' is kept", id,
-                                                                node.kind.substr(0, 80)),
-                                  suggestion(node.kind, nodes_.ids())));
     for (size_t i = 0; i < json.keys.size(); ++i) {
       const std::string& key = json.keys[i];
       if (key == "kind" || key == "inputs") continue;

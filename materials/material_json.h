@@ -28,7 +28,7 @@ inline constexpr size_t kMostNodes = 20000;       // of one document
 inline constexpr size_t kLargestMaterialFile = size_t{16} << 20;
 
 // Errors: not JSON, a member of the wrong type, an id that is none, over a limit, a version that this program
-// does not know. Warnings, through `warnings`: unknown members, settings and kinds, with the nearest known
+// does not know. Warnings, through `warnings`: unknown members and settings, with the nearest known
 // name; they are kept, and written back as they were. What the graph means is judged by graph_validate.h.
 Result<Material> parseMaterial(const std::string& text, const std::filesystem::path& file,
                                const NodeRegistry&, Diagnostics* warnings = nullptr);

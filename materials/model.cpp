@@ -30,12 +30,6 @@ std::string faultOfName(const std::string& name) {
   return {};
 }
 
-bool inRange(const Value& value, float low, float high) {
-  for (int i = 0; i < componentCount(value.type); ++i)
-    if (!(value.v[static_cast<size_t>(i)] >= low && value.v[static_cast<size_t>(i)] <= high)) return false;
-  return true;
-}
-
 std::optional<ModelParameter> readParameter(const Json& json, const std::string& file, Diagnostics& problems) {
   std::string where = "parameter";
   if (const Json* name = json.find("name"); name && name->isString()) where += " '" + name->text + "'";
@@ -65,7 +59,7 @@ std::optional<ModelParameter> readParameter(const Json& json, const std::string&
   if (componentCount(type) > 0) {
     if (const auto value = reader.value("default", type, true)) {
       parameter.standard = *value;
-      if (type != ValueType::Bool && parameter.minimum < parameter.maximum &&
+      if (parameter.minimum < parameter.maximum &&
           !inRange(*value, parameter.minimum, parameter.maximum))
         reader.problem(*json.find("default"),
                        fmt::format("the default {} is outside {}..{}", valueText(*value), parameter.minimum,

@@ -64,7 +64,8 @@ struct Pin {
   PinType type;
   Value standard;               // of an input that has neither wire nor constant
   std::string surface;          // or the name of what the surface has there; empty: `standard`
-  float minimum = 0, maximum = 1;
+  float minimum = 0, maximum = 1;  // of sliders
+  std::optional<float> most;    // only what lies in minimum..most means anything; absent: every number does
   bool optional = false;        // an input that does nothing while it has neither wire nor constant
 };
 

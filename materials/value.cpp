@@ -1,5 +1,7 @@
 #include "materials/value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -127,6 +129,30 @@ std::string valueText(const Value& value) {
   for (size_t i = 0; i < static_cast<size_t>(componentCount(value.type)); ++i)
     text += (i ? "," : "") + fmt::format("{}", value.v[i]);
   return text;
+}
+
+std::string valueHint(ValueType type) {
+  switch (type) {
+    case ValueType::Bool: return "write true or false";
+    case ValueType::Int: return "write a whole number";
+    case ValueType::Float: return "write a number, for example 0.5";
+    case ValueType::Color: return "write r/g/b (linear), one number, or #rrggbb (sRGB)";
+    default: return fmt::format("write {} numbers with / between them, or one for all", componentCount(type));
+  }
+}
+
+bool inRange(const Value& value, float low, float high) {
+  for (int i = 0; i < componentCount(value.type) && value.type != ValueType::Bool; ++i)
+    if (!(value.v[static_cast<size_t>(i)] >= low && value.v[static_cast<size_t>(i)] <= high)) return false;
+  return true;
+}
+
+Value clamped(Value value, float low, float high) {
+  for (int i = 0; i < componentCount(value.type) && value.type != ValueType::Bool; ++i) {
+    float& x = value.v[static_cast<size_t>(i)];
+    x = x < low ? low : x > high ? high : x;
+  }
+  return value;
 }
 
 }  // namespace glint

@@ -33,5 +33,12 @@ std::string glslLiteral(const Value&);
 // colour or vector). Nothing when the text is not a finite value of that type.
 std::optional<Value> parseValue(ValueType, std::string_view text);
 std::string valueText(const Value&);  // "0.8,0.1,0.1": reads back with parseValue
+// How a value of that type is typed, for hints: "write a number, for example 0.5".
+std::string valueHint(ValueType);
+
+// Whether every component lies between the two; a Bool always does.
+bool inRange(const Value&, float low, float high);
+// The nearest value for which that is so.
+Value clamped(Value, float low, float high);
 
 }  // namespace glint

@@ -26,7 +26,11 @@ Diagnostics setUniform(CompiledMaterial& compiled, const Setting& setting, const
   const auto value = parseValue(field->value.type, setting.text);
   if (!value)
     return {error(place, fmt::format("'{}' is not a {} for {}", setting.text, name(field->value.type), setting.name),
-                  "write a number, x/y/z or #rrggbb")};
+                  valueHint(field->value.type))};
+  // The range of a parameter is its author's, unless the author went beyond it too.
+  if (inRange(field->value, field->minimum, field->maximum) && !inRange(*value, field->minimum, field->maximum))
+    return {error(place, fmt::format("{} {} is out of range", setting.name, valueText(*value)),
+                  fmt::format("{} to {} are allowed", field->minimum, field->maximum))};
   field->value = *value;
   return {};
 }
@@ -43,16 +47,17 @@ Result<SurfaceMaterial> surfaceWith(const Material& material, const ModelPtr& mo
   Material changed = material;
   Diagnostics faults;
   const auto add = [&](const Diagnostics& more) { faults.insert(faults.end(), more.begin(), more.end()); };
+  const auto placeOf = [&](const Setting& setting) { return setting.from.empty() ? place : setting.from; };
   for (const Setting& setting : settings) {
     if (!takesSetting(material, *model, setting.name)) {
       std::vector<std::string> known = attributeNames();
       for (const ModelParameter& parameter : model->parameters) known.push_back(parameter.name);
       for (const std::string& name : parameterNames(material)) known.push_back(name);
-      faults.push_back(error(place, fmt::format("material '{}' with model '{}' has no '{}'", material.name, model->id, setting.name),
+      faults.push_back(error(placeOf(setting), fmt::format("material '{}' with model '{}' has no '{}'", material.name, model->id, setting.name),
                              suggestion(setting.name, known)));
     } else if (isOverride(*model, setting.name)) {
       Diagnostics refused = overrideAttribute(changed, *model, setting.name, setting.text);
-      for (Diagnostic& d : refused) d.place = place;
+      for (Diagnostic& d : refused) d.place = placeOf(setting);
       add(refused);
     }
   }
@@ -60,7 +65,7 @@ Result<SurfaceMaterial> surfaceWith(const Material& material, const ModelPtr& mo
   auto compiled = compileMaterial(changed, *model, sources.nodes, sources.functions, sources.compile, &problems);
   if (!compiled) return compiled.diagnostics();
   for (const Setting& setting : settings)
-    if (!isOverride(*model, setting.name)) add(setUniform(*compiled, setting, place));
+    if (!isOverride(*model, setting.name)) add(setUniform(*compiled, setting, placeOf(setting)));
   if (!faults.empty()) return faults;
   return surfaceMaterial(std::make_shared<CompiledMaterial>(std::move(*compiled)), model, sources.textures, problems);
 }

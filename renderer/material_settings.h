@@ -16,6 +16,7 @@ namespace glint {
 // NAME=VALUE as typed: an attribute, a parameter of the model, or a parameter of the material.
 struct Setting {
   std::string name, text;
+  std::string from = {};  // the option that gave it; empty: what surfaceWith() is told
 };
 
 // What making a material needs beside the material.
@@ -28,8 +29,8 @@ struct MaterialSources {
 
 // Compiles the material for `model` with the settings in force, and loads its textures. Attributes come before
 // the model's parameters, and those before the material's own, where names are shared. Errors: the graph's; a
-// name that is none of the three (with the nearest) and a value that does not fit, with `place` of the
-// settings. `problems` gets warnings, and errors of textures, which are drawn as missing.
+// name that is none of the three (with the nearest) and a value that does not fit or is out of range, at the setting's
+// `from`, else at `place`. `problems` gets warnings, and errors of textures, which are drawn as missing.
 Result<SurfaceMaterial> surfaceWith(const Material&, const ModelPtr& model, std::span<const Setting>,
                                     const std::string& place, const MaterialSources&, Diagnostics& problems);
 

@@ -346,6 +346,7 @@ TEST(Errors, NameTheNodeAndPin) {
   wire(m, "gone.value", "output.metallic");
   wire(m, "pos.valeu", "output.specular");
   add(m, "strange", "multipy");
+  wire(m, "strange.value", "output.cavity");
   add(m, "mix", "mix");
   wire(m, "pos.value", "mix.a");
   constant(m, "mix.b", {ValueType::Vec2, {1, 1, 0, 0}});
