@@ -1,5 +1,6 @@
 #include "app/picture_file.h"
 
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +37,18 @@ uint64_t hashOf(const Mesh& mesh) {
   return hashBytes(mesh.indices.data(), mesh.indices.size() * sizeof(uint32_t), vertices);
 }
 
+// Whether a file can be written where it is to be.
+Diagnostics checkPlace(const fs::path& file, const std::string& place) {
+  std::error_code ignored;
+  const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
+  if (!fs::is_directory(folder, ignored))
+    return {error(place, fmt::format("there is no folder '{}'", folder.string()), "make it first")};
+  if (::access(folder.c_str(), W_OK) != 0)
+    return {error(place, fmt::format("the folder '{}' cannot be written to", folder.string()), "choose another")};
+  if (fs::is_directory(file, ignored)) return {error(place, fmt::format("'{}' is a folder", file.string()), "name a file")};
+  return {};
+}
+
 }  // namespace
 
 std::optional<PictureKind> pictureKind(const fs::path& file) {
@@ -49,14 +62,15 @@ Result<PictureKind> checkOutput(const fs::path& file, const std::string& place) 
   const auto kind = pictureKind(file);
   if (!kind || (*kind == PictureKind::Display && extension(file) != ".png"))
     return error(place, fmt::format("'{}' is no picture that Glint writes", file.string()), kWritten);
-  std::error_code ignored;
-  const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
-  if (!fs::is_directory(folder, ignored))
-    return error(place, fmt::format("there is no folder '{}'", folder.string()), "make it first");
-  if (::access(folder.c_str(), W_OK) != 0)
-    return error(place, fmt::format("the folder '{}' cannot be written to", folder.string()), "choose another");
-  if (fs::is_directory(file, ignored)) return error(place, fmt::format("'{}' is a folder", file.string()), "name a file");
+  if (Diagnostics problems = checkPlace(file, place); !problems.empty()) return problems;
   return *kind;
+}
+
+Diagnostics checkOutput(const fs::path& file, const std::string& place, const std::string& kind, const std::vector<std::string>& extensions) {
+  if (std::find(extensions.begin(), extensions.end(), extension(file)) != extensions.end()) return checkPlace(file, place);
+  std::string list = extensions.back();
+  if (extensions.size() > 1) list = fmt::format("{} or {}", fmt::join(extensions.begin(), extensions.end() - 1, ", "), list);
+  return {error(place, fmt::format("'{}' is no {}", file.string(), kind), fmt::format("name a {} file", list))};
 }
 
 Result<ReadPicture> readPicture(const fs::path& file) {
@@ -87,6 +101,11 @@ ImageF linearFromDisplay(const ImageF& image) {
 }
 
 ImageF linearFromDisplay(const Image8& image) { return linearFromDisplay(colours(image)); }
+
+Diagnostics tonemapWarning(const Arguments& arguments, const fs::path& file, PictureKind kind) {
+  if (kind == PictureKind::Display || !arguments.has("tonemap")) return {};
+  return {warning("--tonemap", fmt::format("has no effect on '{}', which is linear", file.string()), "write a .png for a tone map")};
+}
 
 Diagnostic invalidPixelsWarning(const fs::path& file, int count) {
   return warning(file.string(), fmt::format("{} pixels were not finite and are black", count),

@@ -21,6 +21,11 @@ std::optional<PictureKind> pictureKind(const std::filesystem::path&);
 // those there are), a folder that does not exist or cannot be written to. `place` is the option.
 Result<PictureKind> checkOutput(const std::filesystem::path&, const std::string& place);
 
+// The same for a file that is no picture: `kind` says what is to be written ("page"), `extensions` how such a file is
+// named ({".html"}).
+Diagnostics checkOutput(const std::filesystem::path&, const std::string& place, const std::string& kind,
+                        const std::vector<std::string>& extensions);
+
 // A picture of a file, as colours of 3 channels or 4 where it has alpha. Display-referred ones are 0..1 as in the
 // file, not linear. Errors: as the readers; NaN or infinity, with the first place.
 struct ReadPicture {
@@ -32,6 +37,8 @@ Result<ReadPicture> readPicture(const std::filesystem::path&);
 ImageF linearFromDisplay(const ImageF&);
 ImageF linearFromDisplay(const Image8&);
 
+// What is said when --tonemap is given for a linear picture, which has none.
+Diagnostics tonemapWarning(const Arguments&, const std::filesystem::path&, PictureKind);
 // What is said of a picture in which pixels had no value.
 Diagnostic invalidPixelsWarning(const std::filesystem::path&, int count);
 

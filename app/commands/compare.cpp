@@ -47,6 +47,26 @@ struct Plan {
   PictureKind kind = PictureKind::Display;
 };
 
+std::string describe(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const Setting& setting : settings) text += (text.empty() ? "" : ", ") + setting.name + " " + setting.text;
+  return text;
+}
+
+bool same(const ModelChoice& a, const ModelChoice& b) { return a.id == b.id && describe(a.parameters) == describe(b.parameters); }
+
+// Two equal rows compare nothing; with other parameters a model is another row, and labelled by them.
+void mergeEqual(std::vector<ModelChoice>& models) {
+  std::vector<ModelChoice> kept;
+  for (ModelChoice& model : models) {
+    if (std::any_of(kept.begin(), kept.end(), [&](const ModelChoice& k) { return same(k, model); }))
+      log::report(warning("--models", fmt::format("'{}' is given twice", model.id + (model.parameters.empty() ? "" : ":" + describe(model.parameters))), "it has one row"));
+    else
+      kept.push_back(std::move(model));
+  }
+  models = std::move(kept);
+}
+
 Result<Plan> parsePlan(const Arguments& arguments) {
   Plan plan;
   Diagnostics problems;
@@ -78,13 +98,11 @@ Result<Plan> parsePlan(const Arguments& arguments) {
   keep(problems, checkOutput(plan.output, "--output"), plan.kind);
   if (arguments.has("report")) {
     plan.report = arguments.get("report");
-    std::error_code ignored;
-    const auto folder = plan.report.parent_path().empty() ? std::filesystem::path(".") : plan.report.parent_path();
-    if (!std::filesystem::is_directory(folder, ignored))
-      problems.push_back(error("--report", fmt::format("there is no folder '{}'", folder.string()), "make it first"));
+    append(problems, checkOutput(plan.report, "--report", "page", {".html", ".htm"}));
   }
   if (plan.kind == PictureKind::Linear && (plan.against || !plan.report.empty()))
     problems.push_back(error("--output", "heat maps and reports are display-referred", "write a .png"));
+  mergeEqual(plan.models);
   const size_t down = (plan.models.size() + (plan.against ? 1 : 0)) * (plan.sweeps.size() == 2 ? size_t(plan.sweeps[1].count) : 1);
   const size_t across = plan.sweeps.empty() ? plan.materials.size() : size_t(plan.sweeps[0].count);
   const size_t longest = std::max(down * (plan.against ? 2 : 1), across) * size_t(plan.cell);
@@ -105,17 +123,10 @@ struct Axes {
   std::vector<int> reference;           // of each row, the row it is compared with; itself for the reference
 };
 
-std::string describe(const std::vector<Setting>& settings) {
-  std::string text;
-  for (const Setting& setting : settings) text += (text.empty() ? "" : ", ") + setting.name + " " + setting.text;
-  return text;
-}
-
 Result<Axes> findAxes(const Plan& plan, const Libraries& libraries, Diagnostics& warnings) {
   Axes axes;
   Diagnostics problems;
   std::vector<ModelChoice> models = plan.models;
-  const auto same = [](const ModelChoice& a, const ModelChoice& b) { return a.id == b.id && describe(a.parameters) == describe(b.parameters); };
   size_t reference = models.size();
   if (plan.against) {
     const auto found = std::find_if(models.begin(), models.end(), [&](const ModelChoice& m) { return same(m, *plan.against); });
@@ -136,7 +147,7 @@ Result<Axes> findAxes(const Plan& plan, const Libraries& libraries, Diagnostics&
       std::string subtitle = describe(row.settings);
       if (down > 1) {
         const Sweep& sweep = plan.sweeps[1];
-        row.settings.push_back({sweep.name, fmt::format("{}", sweep.value(j))});
+        row.settings.push_back({sweep.name, fmt::format("{}", sweep.value(j)), "--sweep"});
         subtitle += (subtitle.empty() ? "" : ", ") + fmt::format("{} {}", sweep.name, sweep.title(j));
       }
       axes.rows.push_back(std::move(row));
@@ -157,7 +168,7 @@ Result<Axes> findAxes(const Plan& plan, const Libraries& libraries, Diagnostics&
     const Sweep& sweep = plan.sweeps[0];
     for (int i = 0; material && i < sweep.count; ++i) {
       std::vector<Setting> settings = plan.scene.settings;
-      settings.push_back({sweep.name, fmt::format("{}", sweep.value(i))});
+      settings.push_back({sweep.name, fmt::format("{}", sweep.value(i)), "--sweep"});
       axes.columns.push_back({sweep.title(i), material, std::move(settings)});
     }
   }
@@ -300,6 +311,7 @@ int run(const Arguments& arguments) {
   }
   Libraries libraries(arguments.modelFolders);
   log::report(libraries.warnings());
+  log::report(tonemapWarning(arguments, plan->output, plan->kind));
   Diagnostics problems, warnings;
   Axes axes;
   Scene stage;
@@ -311,7 +323,7 @@ int run(const Arguments& arguments) {
     stage.instances = std::move(mesh.instances);
   }
   if (!problems.empty()) return badInput(problems);
-  auto comparison = makeComparison(stage, axes.rows, axes.columns, plan->sweeps.empty() ? "--set" : "--sweep", libraries.sources(), warnings);
+  auto comparison = makeComparison(stage, axes.rows, axes.columns, "--set", libraries.sources(), warnings);
   if (!comparison) return badInput(comparison.diagnostics());
   if (hasErrors(warnings)) return badInput(warnings);
   log::report(warnings);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/picture_file.h"
 #include "materials/base/files.h"
 #include "materials/base/hash.h"
 #include "materials/base/log.h"
@@ -78,6 +79,9 @@ int run(const Arguments& arguments) {
                                              : fmt::format("unknown target '{}'", target),
                            known ? "use glsl" : suggestion(target, {"glsl"}))});
   }
+  if (arguments.has("output"))
+    if (const Diagnostics problems = checkOutput(arguments.get("output"), "--output", "shader", {".glsl", ".frag", ".txt"}); !problems.empty())
+      return badInput(problems);
   const NodeRegistry nodes;
   const FunctionLibrary functions;
   const ModelRegistry models(arguments.modelFolders);

@@ -4,6 +4,7 @@
 #include "app/command.h"
 #include "app/editor/ui_driver.h"
 #include "app/editor/window.h"
+#include "app/picture_file.h"
 #include "app/scene_options.h"
 #include "app/standard_comparison.h"
 #include "materials/base/files.h"
@@ -28,8 +29,7 @@ Diagnostics unreadable(const std::vector<fs::path>& files) {
 
 int takeScreenshot(const Arguments& arguments, const std::vector<fs::path>& files, EditorOptions options) {
   const std::string out = arguments.get("screenshot");
-  if (fs::path(out).extension() != ".png")
-    return badInput({error("--screenshot", "'" + out + "' is not a .png", "name a file that ends in .png")});
+  if (const Diagnostics problems = checkOutput(out, "--screenshot", "picture", {".png"}); !problems.empty()) return badInput(problems);
   const auto size = parseSize(arguments.get("size", "1600x960"), "--size");
   if (!size) return badInput(size.diagnostics());
   auto context = gl::Context::create({.backend = arguments.backend});

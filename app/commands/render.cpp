@@ -43,6 +43,7 @@ int run(const Arguments& arguments) {
 
   Libraries libraries(arguments.modelFolders);
   log::report(libraries.warnings());
+  log::report(tonemapWarning(arguments, output, *kind));
   const auto scene = loadScene(*options, libraries, warnings);
   log::report(warnings);
   if (!scene) return badInput(scene.diagnostics());

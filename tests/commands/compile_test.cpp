@@ -37,17 +37,17 @@ TEST(CompileCommand, Json) {
 }
 
 TEST(CompileCommand, BadInputIsOneLineAndWritesNothing) {
-  EXPECT_BAD_INPUT(glint({"compile", "aluminum", "-o", "x"}), "material 'aluminum'", "did you mean 'aluminium'?");
-  EXPECT_BAD_INPUT(glint({"compile", "black", "--target", "spirv", "-o", "x"}), "--target", "use glsl");
-  EXPECT_BAD_INPUT(glint({"compile", "black", "--model", "ggy", "-o", "x"}), "model 'ggy'", "ggx");
-  EXPECT_BAD_INPUT(glint({"compile", "missing.json", "-o", "x"}), "missing.json", "no such file");
+  EXPECT_BAD_INPUT(glint({"compile", "aluminum", "-o", "x.glsl"}), "material 'aluminum'", "did you mean 'aluminium'?");
+  EXPECT_BAD_INPUT(glint({"compile", "black", "--target", "spirv", "-o", "x.glsl"}), "--target", "use glsl");
+  EXPECT_BAD_INPUT(glint({"compile", "black", "--model", "ggy", "-o", "x.glsl"}), "model 'ggy'", "ggx");
+  EXPECT_BAD_INPUT(glint({"compile", "missing.json", "-o", "x.glsl"}), "missing.json", "no such file");
   write("broken.json", "{\"glint\": \"material\",\n \"version\": 1,\n \"nodes\": [}");
-  EXPECT_BAD_INPUT(glint({"compile", "broken.json", "-o", "x"}), "broken.json:3", "not valid JSON");
+  EXPECT_BAD_INPUT(glint({"compile", "broken.json", "-o", "x.glsl"}), "broken.json:3", "not valid JSON");
   write("cycle.json", R"({"glint": "material", "version": 1, "nodes": {
     "output": {"kind": "output", "inputs": {"roughness": "a.value"}},
     "a": {"kind": "add", "inputs": {"a": "b.value"}},
     "b": {"kind": "add", "inputs": {"a": "a.value"}}}})");
-  EXPECT_BAD_INPUT(glint({"compile", "cycle.json", "-o", "x"}), "cycle.json:3: node 'a'", "cycle");
+  EXPECT_BAD_INPUT(glint({"compile", "cycle.json", "-o", "x.glsl"}), "cycle.json:3: node 'a'", "cycle");
   EXPECT_THAT(filesIn(scratch()), testing::Not(testing::Contains("x")));
 }
 

@@ -64,7 +64,7 @@ TEST(Render, BadInputLeavesNothingBehind) {
   EXPECT_BAD_INPUT(glint({"render", "--mesh", "spere", "-o", png}), "--mesh", "did you mean 'sphere'?");
   EXPECT_BAD_INPUT(glint({"render", "--material", "aluminum", "-o", png}), "--material", "did you mean 'aluminium'?");
   EXPECT_BAD_INPUT(glint({"render", "--model", "burly", "-o", png}), "--model", "did you mean 'burley'?");
-  EXPECT_BAD_INPUT(glint({"render", "--model", "burley:gama=2", "-o", png}), "--set", "did you mean 'gamma'?");
+  EXPECT_BAD_INPUT(glint({"render", "--model", "burley:gama=2", "-o", png}), "--model", "did you mean 'gamma'?");
   EXPECT_BAD_INPUT(glint({"render", "--set", "roughnes=0.2", "-o", png}), "--set", "did you mean 'roughness'?");
   EXPECT_BAD_INPUT(glint({"render", "--set", "roughness=shiny", "-o", png}), "--set", "");
   EXPECT_BAD_INPUT(glint({"render", "--size", "0x0", "-o", png}), "--size", "1 to 8192");
@@ -126,6 +126,49 @@ TEST(Compare, BadInput) {
   EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--against", "gx", "-o", png}), "--against", "did you mean 'ggx'?");
   EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--against", "ggx", "-o", "out.exr"}), "--output", ".png");
   EXPECT_TRUE(filesIn(scratch()).empty());
+}
+
+TEST(Render, ValuesOutOfRangeAreRefusedOnTheCommandLine) {
+  EXPECT_BAD_INPUT(glint({"render", "--set", "roughness=5", "-o", "out.png"}), "--set", "roughness 5 is out of range; 0 to 1 are allowed");
+  EXPECT_BAD_INPUT(glint({"render", "--set", "roughness=abc", "-o", "out.png"}), "--set", "'abc' is not a float for roughness; write a number");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "burley:gamma=99", "-o", "out.png"}), "--models", "gamma 99 is out of range; 1 to 4 are allowed");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--sweep", "roughness=0..2:2", "-o", "out.png"}), "--sweep", "roughness 2 is out of range");
+  EXPECT_BAD_INPUT(glint({"render", "--material", "painted-metal", "--set", "Rust=7", "-o", "out.png"}), "--set", "Rust 7 is out of range");
+  EXPECT_TRUE(filesIn(scratch()).empty());
+}
+
+TEST(Render, FilesOfLaterVersionsAreDrawnAsFarAsTheyCan) {
+  const std::string head = R"({"glint": "material", "version": 1, "model": "burley", "modelParameters": {"gamma": 99}, "nodes": {)";
+  const std::string strange = R"("x": {"kind": "nois"}}})";
+  std::ofstream(scratch() / "unused.json") << head << "\n\"output\": {\"kind\": \"output\", \"inputs\": {\"roughness\": 5}},\n" << strange;
+  std::ofstream(scratch() / "used.json") << head << "\n\"output\": {\"kind\": \"output\", \"inputs\": {\"roughness\": \"x.value\"}},\n" << strange;
+  const auto ran = glint({"render", "unused.json", "--size", "8x8", "--env", "none", "-o", "out.png"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err,
+            "glint: warning: unused.json:3: node 'x': unknown kind 'nois'; nothing uses it, it is kept; did you mean 'noise'?\n"
+            "glint: warning: unused.json:2: node 'output' pin 'roughness': 5 is outside 0 to 1; the nearest is used\n"
+            "glint: warning: unused.json: model parameter 'gamma' is 99, outside 1 to 4; the nearest is used\n");
+  const auto refused = glint({"render", "used.json", "--size", "8x8", "--env", "none", "-o", "out.png", "--quiet"});
+  EXPECT_BAD_INPUT(refused, "used.json:3", "node 'x': unknown kind 'nois'; did you mean 'noise'?");
+}
+
+TEST(Render, OutputsAreWhatTheirNamesSay) {
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "-o", "out.png", "--report", "report.png"}), "--report", "'report.png' is no page; name a .html or .htm file");
+  EXPECT_BAD_INPUT(glint({"compile", "rubber", "-o", "out.png"}), "--output", "'out.png' is no shader; name a .glsl, .frag or .txt file");
+  EXPECT_BAD_INPUT(glint({"compile", "rubber", "-o", "none/out.glsl"}), "--output", "there is no folder 'none'");
+  EXPECT_BAD_INPUT(glint({"edit", "--screenshot", "out.jpg"}), "--screenshot", "'out.jpg' is no picture");
+  EXPECT_TRUE(filesIn(scratch()).empty());
+  const auto ran = glint({"render", "--size", "8x8", "--env", "none", "--tonemap", "aces", "-o", "out.exr"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err, "glint: warning: --tonemap: has no effect on 'out.exr', which is linear; write a .png for a tone map\n");
+}
+
+TEST(Compare, OneModelTwice) {
+  const auto ran = glint({"compare", "--models", "ggx,burley,ggx,burley:gamma=2", "--sweep", "roughness=0..1:2", "--cell", "16", "--env", "none", "-o",
+                          "out.png", "--json"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err, "glint: warning: --models: 'ggx' is given twice; it has one row\n");
+  EXPECT_EQ(ran.json()["models"].size(), 3u);
 }
 
 TEST(Bench, EveryCaseRunsAndIsOneDocument) {
