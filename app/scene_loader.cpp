@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "materials/model_mix.h"
 #include "renderer/environment.h"
 #include "renderer/gltf_loader.h"
 #include "renderer/gltf_material.h"
@@ -33,6 +34,11 @@ Diagnostics Libraries::warnings() const {
 Result<ModelPtr> Libraries::model(const std::string& id, const std::string& place) const {
   auto found = models.get(id);
   if (found) return found;
+  if (isModelMix(id)) {
+    Diagnostics faults = found.diagnostics();
+    for (Diagnostic& d : faults) d.place = place;
+    return faults;
+  }
   // A model that is not there may be one whose file is broken: then that is what is wrong.
   Diagnostics broken;
   for (const Diagnostic& d : models.problems())

@@ -284,6 +284,7 @@ class Scanner {
     GlslFunction function{.returnType = std::string(statement_[at - 1].text),
                           .name = std::string(statement_[at].text),
                           .parameterTypes = {},
+                          .parameterNames = {},
                           .line = statement_[at].line,
                           .calls = {},
                           .comment = commentEnd_ + 1 == statement_[0].line ? comment_ : std::string()};
@@ -291,11 +292,15 @@ class Scanner {
     for (size_t i = at + 2; i + 1 < statement_.size(); ++i) {
       const size_t begin = i;
       while (i + 1 < statement_.size() && statement_[i].text != ",") ++i;
-      std::string type;
+      std::string type, name;
       for (size_t j = begin; j < i; ++j)
-        if (statement_[j].isName() && (j + 1 == i ? j == begin : statement_[j + 1].isName()))
+        if (statement_[j].isName() && (j + 1 == i ? j == begin : statement_[j + 1].isName())) {
           type = statement_[j].text;
-      if (!type.empty() && type != "void") function.parameterTypes.push_back(type);
+          name = j + 1 < i ? statement_[j + 1].text : "";
+        }
+      if (type.empty() || type == "void") continue;
+      function.parameterTypes.push_back(type);
+      function.parameterNames.push_back(name);
     }
     scan_.functions.push_back(std::move(function));
     inFunction_ = true;

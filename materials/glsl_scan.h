@@ -17,7 +17,7 @@ struct GlslCall {
 
 struct GlslFunction {
   std::string returnType, name;
-  std::vector<std::string> parameterTypes;
+  std::vector<std::string> parameterTypes, parameterNames;
   int line = 0;
   std::vector<GlslCall> calls;  // in its body: of functions, constructors and macros
   int operators = 0;            // in its body: arithmetic, comparisons and assignments, `+=` as one

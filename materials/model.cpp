@@ -30,6 +30,11 @@ std::string faultOfName(const std::string& name) {
   return {};
 }
 
+std::string titleOf(std::string name) {
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
 std::optional<ModelParameter> readParameter(const Json& json, const std::string& file, Diagnostics& problems) {
   std::string where = "parameter";
   if (const Json* name = json.find("name"); name && name->isString()) where += " '" + name->text + "'";
@@ -123,6 +128,21 @@ void readTerms(const Json& json, const std::string& file, ShadingModel& model, D
   reader.finish();
 }
 
+// What the named terms take besides the Shading, after what the head declares: one that has its name is that one.
+void addTermParameters(ShadingModel& model) {
+  int used = 0;
+  for (const ModelParameter& p : model.parameters) used += p.slot < 0 ? 0 : componentCount(p.standard.type);
+  for (const auto& [kind, name] : {std::pair{TermKind::D, model.termD}, {TermKind::V, model.termV.empty() ? model.termG : model.termV},
+                                   {TermKind::F, model.termF}, {TermKind::Diffuse, model.termDiffuse}}) {
+    const auto term = name.empty() ? std::nullopt : findTerm(kind, name);
+    if (!term) continue;
+    for (const TermParameter& p : term->parameters)
+      if (!model.parameter(p.name))
+        model.parameters.push_back({p.name, titleOf(p.name), p.doc, Value::scalar(p.standard), p.minimum, p.maximum,
+                                    used < 4 ? used++ : -1});
+  }
+}
+
 void readHead(const Json& head, const std::string& file, ShadingModel& model, Diagnostics& problems) {
   ObjectReader reader(head, file, "", problems);
   model.id = reader.text("id", true).value_or("");
@@ -156,6 +176,7 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
     reader.problem(*head.find("prepared"), fmt::format("{} prepared members", model.prepared.size()),
                    fmt::format("at most {} are possible", kMostParameters));
   if (const Json* json = reader.object("terms")) readTerms(*json, file, model, problems);
+  addTermParameters(model);
   if (const Json* json = reader.object("claims")) {
     ObjectReader claims(*json, file, "claims", problems);
     model.claims.reciprocal = claims.boolean("reciprocal").value_or(false);

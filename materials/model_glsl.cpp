@@ -49,8 +49,12 @@ void entry(std::string& text, std::string_view type, std::string_view name, bool
            const std::string& term) {
   if (defined)
     text += fmt::format("{} {}(Shading s, Parameters p);\n", type, name);
-  else if (!term.empty())
-    text += fmt::format("{} {}(Shading s, Parameters p) {{ return {}{}(s); }}\n", type, name, prefix(kind), term);
+  else if (!term.empty()) {
+    std::string arguments = "s";
+    if (const auto found = findTerm(kind, term))
+      for (const TermParameter& p : found->parameters) arguments += ", p." + p.name;
+    text += fmt::format("{} {}(Shading s, Parameters p) {{ return {}{}({}); }}\n", type, name, prefix(kind), term, arguments);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "materials/base/files.h"
 #include "materials/base/hash.h"
+#include "materials/model_mix.h"
 #include "shaders/shipped_files.h"
 
 namespace glint {
@@ -123,12 +124,29 @@ bool ModelRegistry::refresh() {
   return changed;
 }
 
+Result<ModelPtr> ModelRegistry::mix(std::string_view id) const {
+  constexpr size_t kMost = 1000;  // terms allow about as many
+  const std::lock_guard lock(mixes_->mutex);
+  if (const auto found = mixes_->models.find(id); found != mixes_->models.end()) return found->second;
+  if (mixes_->models.size() >= kMost) mixes_->models.clear();
+  auto model = mixModel(id);
+  return mixes_->models
+      .emplace(std::string(id), model ? Result<ModelPtr>(std::make_shared<const ShadingModel>(std::move(*model)))
+                                      : Result<ModelPtr>(model.diagnostics()))
+      .first->second;
+}
+
 ModelPtr ModelRegistry::find(std::string_view id) const {
+  if (isModelMix(id)) {
+    auto made = mix(id);
+    return made ? *made : nullptr;
+  }
   const auto found = models_.find(id);
   return found == models_.end() ? nullptr : found->second;
 }
 
 Result<ModelPtr> ModelRegistry::get(std::string_view id) const {
+  if (isModelMix(id)) return mix(id);
   if (ModelPtr model = find(id)) return model;
   // A model may be unknown because its file is wrong: say so instead of offering another.
   for (const auto& [path, file] : files_)

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "materials/model.h"
@@ -21,6 +22,7 @@ class ModelRegistry {
   // see problems().
   explicit ModelRegistry(std::vector<std::filesystem::path> folders = {});
 
+  // An id may also be a mix of terms (model_mix.h), which is made at its first use. Any thread may ask.
   ModelPtr find(std::string_view id) const;      // null when unknown
   Result<ModelPtr> get(std::string_view id) const;  // an unknown id names its nearest neighbour
   std::vector<ModelPtr> all() const;             // sorted by id
@@ -43,11 +45,17 @@ class ModelRegistry {
     ModelPtr model;         // last good one
     Diagnostics problems;   // of the text as it is now
   };
+  struct Mixes {
+    std::mutex mutex;
+    std::map<std::string, Result<ModelPtr>, std::less<>> models;
+  };
+  Result<ModelPtr> mix(std::string_view id) const;
   std::vector<std::filesystem::path> listFiles(Diagnostics&) const;
   bool readAgain(const std::filesystem::path&, File&);
   std::vector<std::filesystem::path> folders_;
   std::map<std::filesystem::path, File> files_;
   std::map<std::string, ModelPtr, std::less<>> models_;
+  std::shared_ptr<Mixes> mixes_ = std::make_shared<Mixes>();  // by what was asked for
   Diagnostics problems_;
 };
 

@@ -1,7 +1,9 @@
 #include "materials/terms.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
+#include <sstream>
 
 #include "materials/base/check.h"
 #include "materials/glsl_scan.h"
@@ -26,6 +28,39 @@ const KindRow& row(TermKind kind) {
   return kKinds[index];
 }
 
+// `  gamma from 0.5 to 6, 1.5: how long the tail is`.
+std::optional<TermParameter> parameterLine(const std::string& line) {
+  char name[64];
+  TermParameter p;
+  int end = 0;
+  if (std::sscanf(line.c_str(), " %63[A-Za-z0-9_] from %f to %f, %f: %n", name, &p.minimum, &p.maximum, &p.standard, &end) != 4 ||
+      end == 0)
+    return std::nullopt;
+  p.name = name;
+  p.doc = line.substr(static_cast<size_t>(end));
+  return p;
+}
+
+// The term that a function is: nothing unless each float after the Shading is told in the comment.
+std::optional<Term> termOf(const GlslFunction& function, const KindRow& kind) {
+  if (!function.name.starts_with(kind.prefix) || function.returnType != kind.type) return std::nullopt;
+  if (function.parameterTypes.empty() || function.parameterTypes[0] != "Shading") return std::nullopt;
+  Term term{kind.kind, function.name.substr(kind.prefix.size()), "", {}};
+  std::vector<TermParameter> told;
+  std::istringstream lines(function.comment);
+  for (std::string line; std::getline(lines, line);) {
+    if (auto parameter = parameterLine(line)) told.push_back(std::move(*parameter));
+    else term.doc += (term.doc.empty() ? "" : "\n") + line;
+  }
+  for (size_t i = 1; i < function.parameterTypes.size(); ++i) {
+    const auto at = std::find_if(told.begin(), told.end(),
+                                 [&](const TermParameter& p) { return p.name == function.parameterNames[i]; });
+    if (at == told.end() || function.parameterTypes[i] != "float") return std::nullopt;
+    term.parameters.push_back(*at);
+  }
+  return term;
+}
+
 }  // namespace
 
 std::string_view name(TermKind kind) { return row(kind).name; }
@@ -40,12 +75,9 @@ std::string termsGlsl() {
 
 std::vector<Term> terms() {
   std::vector<Term> found;
-  for (GlslFunction& function : scanGlsl(termsGlsl()).functions) {
-    if (!function.takes({"Shading"})) continue;
+  for (const GlslFunction& function : scanGlsl(termsGlsl()).functions)
     for (const KindRow& kind : kKinds)
-      if (function.name.starts_with(kind.prefix) && function.returnType == kind.type)
-        found.push_back({kind.kind, function.name.substr(kind.prefix.size()), std::move(function.comment)});
-  }
+      if (auto term = termOf(function, kind)) found.push_back(std::move(*term));
   std::stable_sort(found.begin(), found.end(), [](const Term& a, const Term& b) { return a.kind < b.kind; });
   return found;
 }
@@ -55,6 +87,12 @@ std::vector<std::string> termNames(TermKind kind) {
   for (Term& term : terms())
     if (term.kind == kind) names.push_back(std::move(term.name));
   return names;
+}
+
+std::optional<Term> findTerm(TermKind kind, std::string_view name) {
+  for (Term& term : terms())
+    if (term.kind == kind && term.name == name) return std::move(term);
+  return std::nullopt;
 }
 
 }  // namespace glint

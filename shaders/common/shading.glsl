@@ -29,6 +29,16 @@ void setRoughness(inout Shading s, float roughness) {
   s.alpha2 = s.alpha * s.alpha;
 }
 
+// The two colours that models reflect with, from the attributes (product.md 2; Karis 2013, p. 4): specular 0.5 is
+// F0 = 0.04.
+void setColors(inout Shading s, vec3 baseColor, float metallic, float specular) {
+  s.baseColor = baseColor;
+  s.metallic = metallic;
+  s.specular = specular;
+  s.diffuseColor = baseColor * (1.0 - metallic);
+  s.F0 = mix(vec3(0.08 * specular), baseColor, metallic);
+}
+
 // Into (0, 1]: a cosine of zero divides by zero, one above 1 makes a power of a negative number.
 float safeCosine(float x) { return max(min(x, 1.0), 1e-4); }
 

@@ -46,11 +46,7 @@ void main() {
   Shading s;
   setRoughness(s, surface.roughness);
   setView(s, N, V);
-  s.baseColor = surface.baseColor;
-  s.metallic = surface.metallic;
-  s.specular = surface.specular;
-  s.diffuseColor = surface.baseColor * (1.0 - surface.metallic);
-  s.F0 = mix(vec3(0.08 * surface.specular), surface.baseColor, surface.metallic);
+  setColors(s, surface.baseColor, surface.metallic, surface.specular);
   s.analyticLight = true;
   // Any frame around the normal: no attribute turns it.
   s.T = normalize(abs(N.y) < 0.99 ? cross(vec3(0.0, 1.0, 0.0), N) : cross(N, vec3(1.0, 0.0, 0.0)));
@@ -76,10 +72,7 @@ void main() {
     vec3 toLight = lightPosition.xyz - position;
     float distance2 = dot(toLight, toLight);
     vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
-    // Karis 2013, eq. 9: inverse square, windowed to reach zero at the radius, and finite at the light.
-    float ratio2 = distance2 * lightPosition.w;
-    float window = clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
-    float weight = window * window / (distance2 + 1.0) * max(dot(N, L), 0.0);
+    float weight = windowedFalloff(distance2, lightPosition.w) * max(dot(N, L), 0.0);
     setLight(s, L);
     radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (intensity * weight);
   }

@@ -12,6 +12,27 @@ float D_GGX(Shading s) {
   return q * q * (1.0 / kPi);
 }
 
+// Burley 2012, sec. 5.4: the widths along and across the tangent for anisotropy -1..1, which keep alpha^2 = ax ay;
+// a negative one turns the lobe by 90 degrees.
+vec2 anisotropicAlpha(float alpha, float anisotropy) {
+  float aspect = sqrt(1.0 - 0.9 * min(abs(anisotropy), 1.0));
+  vec2 along = vec2(alpha / aspect, alpha * aspect);
+  return anisotropy < 0.0 ? along.yx : along;
+}
+
+// Burley 2012, eq. 13 (appendix B): 1 / (pi ax ay ((h.x / ax)^2 + (h.y / ay)^2 + (n.h)^2)^2), h in the tangent frame.
+float anisotropicGGX(vec2 a, vec3 h) {
+  vec3 scaled = h / vec3(a, 1.0);
+  float q = 1.0 / dot(scaled, scaled);
+  return q * q / (kPi * a.x * a.y);
+}
+
+// GGX that is wider along the tangent.
+//   anisotropy from -1 to 1, 0.5: 0 is GGX, negative values stretch the highlight across the tangent
+float D_GGXaniso(Shading s, float anisotropy) {
+  return anisotropicGGX(anisotropicAlpha(s.alpha, anisotropy), vec3(dot(s.T, s.H), dot(s.B, s.H), s.NoH));
+}
+
 // Beckmann and Spizzichino 1963; Walter et al. 2007, eq. 25: exp(-tan^2 / alpha^2) / (pi alpha^2 (n.h)^4).
 float D_Beckmann(Shading s) {
   // Below cos^2 = 1e-3 the exponential has reached zero for every alpha; the floor keeps 0 * infinity away.
@@ -56,6 +77,9 @@ float normalisationGTR(float alpha2, float gamma) {
 float D_GTR(Shading s, float gamma, float normalisation) {
   return normalisation * pow(s.sinH2 * (1.0 - s.alpha2) + s.alpha2, -gamma);
 }
+
+// Generalised Trowbridge-Reitz with that factor made on the spot.
+//   gamma from 0.5 to 6, 1.5: how long the tail is: 1 the longest that is usual, 2 GGX, larger ones cut it short
 float D_GTR(Shading s, float gamma) { return D_GTR(s, gamma, normalisationGTR(s.alpha2, gamma)); }
 
 // Burley 2012, sec. 5.4: the clear coat's distribution, gamma = 1.
@@ -66,5 +90,12 @@ float D_GTR1_5(Shading s) { return D_GTR(s, 1.5); }
 
 // Gamma 3: a shorter tail than GGX has.
 float D_GTR3(Shading s) { return D_GTR(s, 3.0); }
+
+// Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF", eq. 2: fibres that stand upright,
+// (2 + 1/alpha) sin^(1/alpha)(theta) / (2 pi).
+float D_Charlie(Shading s) {
+  float k = 1.0 / s.alpha;
+  return (2.0 + k) * exp(0.5 * k * preciseLog(s.sinH2, 1.0 - s.sinH2)) * (0.5 / kPi);
+}
 
 #endif

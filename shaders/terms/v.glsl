@@ -69,4 +69,35 @@ float V_SmithGGXCorrelatedApprox(Shading s) {
   return 0.5 / mix(2.0 * s.NoL * s.NoV, s.NoL + s.NoV, s.alpha);
 }
 
+// Heitz 2014, eq. 86 and 99, for GGX that is wider along the tangent: a = the widths, l and v in the tangent frame.
+float anisotropicVisibility(vec2 a, vec3 l, vec3 v) {
+  return 0.5 / (l.z * length(vec3(a * v.xy, v.z)) + v.z * length(vec3(a * l.xy, l.z)));
+}
+
+// GGX's height-correlated visibility for D_GGXaniso.
+//   anisotropy from -1 to 1, 0.5: 0 is GGX, negative values stretch the highlight across the tangent
+float V_SmithGGXCorrelatedAniso(Shading s, float anisotropy) {
+  return anisotropicVisibility(anisotropicAlpha(s.alpha, anisotropy), vec3(dot(s.T, s.L), dot(s.B, s.L), s.NoL),
+                               vec3(dot(s.T, s.V), dot(s.B, s.V), s.NoV));
+}
+
+// Neubelt and Pettineo 2013, "Crafting a Next-Gen Material Pipeline": for cloth, smooth where light and view graze.
+float V_Neubelt(Shading s) { return 0.25 / (s.NoL + s.NoV - s.NoL * s.NoV); }
+
+// Estevez and Kulla 2017, eq. 3: Smith's Lambda for D_Charlie, fitted; mirrored at cos = 1/2.
+float lambdaCharlie(float cosine, float alpha) {
+  float k = (1.0 - alpha) * (1.0 - alpha);
+  float a = mix(21.5473, 25.3245, k), b = mix(3.82987, 3.32435, k), c = mix(0.19823, 0.16801, k);
+  float d = mix(-1.97760, -1.27393, k), e = mix(-4.32054, -4.85967, k);
+  float x = min(cosine, 1.0 - cosine);
+  float fit = a / (1.0 + b * pow(max(x, 1e-7), c)) + d * x + e;
+  float middle = a / (1.0 + b * pow(0.5, c)) + d * 0.5 + e;
+  return exp(cosine < 0.5 ? fit : 2.0 * middle - fit);
+}
+
+// Estevez and Kulla 2017: Smith's function for D_Charlie, heights correlated.
+float V_CharlieFit(Shading s) {
+  return 0.25 / ((1.0 + lambdaCharlie(s.NoL, s.alpha) + lambdaCharlie(s.NoV, s.alpha)) * (s.NoL * s.NoV));
+}
+
 #endif
