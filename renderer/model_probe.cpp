@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/check.h"
 #include "shaders/shipped_files.h"
 
 namespace glint {
@@ -13,12 +14,12 @@ constexpr size_t kBatch = size_t{1} << 18;
 
 // As the shader's `Point`, std430.
 struct GpuPoint {
-  glm::vec4 cosines, more, F0, diffuse, base, light, view;
+  glm::vec4 cosines, more, F0, diffuse, base, light, view, a, b;
 };
-static_assert(sizeof(GpuPoint) == 7 * 16);
+static_assert(sizeof(GpuPoint) == 9 * 16);
 
 constexpr const char* kPointGlsl = R"(
-struct Point { vec4 cosines, more, F0, diffuse, base, light, view; };
+struct Point { vec4 cosines, more, F0, diffuse, base, light, view, a, b; };
 layout(std430, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, binding = 1) writeonly buffer Values { vec4 values[]; };
 uniform int pointCount;
@@ -55,7 +56,9 @@ GpuPoint pack(const ProbePoint& p) {
           {p.diffuseColor, p.specular},
           {p.baseColor, 0.f},
           {p.light, 0.f},
-          {p.view, p.fromDirections ? 1.f : 0.f}};
+          {p.view, p.fromDirections ? 1.f : 0.f},
+          p.a,
+          p.b};
 }
 
 }  // namespace
@@ -98,6 +101,7 @@ Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string&
   std::string source = "#version 450 core\nlayout(local_size_x = " + std::to_string(kGroup) + ") in;\n" + *shading +
                        glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
                        "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
+                       "  vec4 a = points[i].a, b = points[i].b;\n" +
                        (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(slots);\n  modelPrepare(s, p);\n" : "");
   for (size_t k = 0; k < outputs.size(); ++k)
     source += fmt::format("  values[i * {}u + {}u] = {};\n", outputs.size(), k, outputs[k]);
@@ -114,9 +118,16 @@ Result<ModelProbe> ModelProbe::ofTerms(std::span<const Term> terms) {
   std::vector<std::string> outputs;
   for (const Term& term : terms) {
     const bool colour = term.kind == TermKind::F || term.kind == TermKind::Diffuse;
-    outputs.push_back("vec4(" + term.function() + (colour ? "(s), 0.0)" : "(s), 0.0, 0.0, 0.0)"));
+    std::string arguments = "s";
+    GLINT_CHECK(term.parameters.size() <= 4, "{} has {} parameters", term.function(), term.parameters.size());
+    for (size_t i = 0; i < term.parameters.size(); ++i) arguments += std::string(", a.") + "xyzw"[i];
+    outputs.push_back(fmt::format("vec4({}({}), {})", term.function(), arguments, colour ? "0.0" : "0.0, 0.0, 0.0"));
   }
-  return build("terms", termsGlsl(), outputs);
+  return ofExpressions(outputs);
+}
+
+Result<ModelProbe> ModelProbe::ofExpressions(const std::vector<std::string>& expressions) {
+  return build("terms", termsGlsl(), expressions);
 }
 
 Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {

@@ -22,6 +22,7 @@ struct ProbePoint {
   glm::vec3 F0{0.04f}, diffuseColor{0.8f}, baseColor{0.8f};
   float metallic = 0, specular = 0.5f;
   bool analyticLight = true;
+  glm::vec4 a{0}, b{0};                      // arguments of expressions
   // The cosines come from `light` and `view` as in a picture (setDirections of shading.glsl) instead of from
   // the members above.
   bool fromDirections = false;
@@ -34,8 +35,11 @@ struct ProbePoint {
 
 class ModelProbe {
  public:
-  // One output a term: (value, 0, 0, 0) or (r, g, b, 0). Errors: GLSL that does not compile.
+  // One output a term: (value, 0, 0, 0) or (r, g, b, 0). A term's own parameters are the point's `a`, in order. Errors:
+  // GLSL that does not compile.
   static Result<ModelProbe> ofTerms(std::span<const Term>);
+  // One output an expression: a vec4 of GLSL from `Shading s` and `vec4 a, b` of the point, with all terms at hand.
+  static Result<ModelProbe> ofExpressions(const std::vector<std::string>&);
   // Two outputs: (specular f, D) and (diffuse f, 0), both without cosine. Errors: at the plugin's own lines.
   static Result<ModelProbe> ofModel(const ShadingModel&);
 

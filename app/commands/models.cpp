@@ -7,7 +7,6 @@
 #include "materials/base/log.h"
 #include "materials/model_registry.h"
 #include "materials/terms.h"
-#include "renderer/model_laws.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -87,25 +86,25 @@ void printModel(const ShadingModel& m) {
   fmt::print("{:<16}{}\n\n", "", m.file.string());
 }
 
-// What compilers say of every model, drawn anywhere or not, and, when asked, which of its claims each breaks.
-void judge(const gl::Context& context, const ModelRegistry& registry, bool claims, Diagnostics& problems, Diagnostics& laws) {
+// What compilers say of every model, drawn anywhere or not.
+Diagnostics compileFaults(const gl::Context& context, const ModelRegistry& registry) {
   Renderer renderer(context);
+  Diagnostics faults;
   for (const ModelPtr& model : registry.all()) {
-    const Diagnostics faults = renderer.check(model);
-    problems.insert(problems.end(), faults.begin(), faults.end());
-    if (!claims || !faults.empty()) continue;
-    const Diagnostics broken = checkLaws(*model);
-    laws.insert(laws.end(), broken.begin(), broken.end());
+    const Diagnostics found = renderer.check(model);
+    faults.insert(faults.end(), found.begin(), found.end());
   }
+  return faults;
 }
 
 int run(const Arguments& arguments) {
   const ModelRegistry registry(arguments.modelFolders);
-  Diagnostics problems = registry.problems(), laws;
+  Diagnostics problems = registry.problems();
   auto context = gl::Context::create({.backend = arguments.backend});
   if (context) {
-    judge(**context, registry, arguments.has("check"), problems, laws);
-  } else if (arguments.has("check") || arguments.backend != gl::Backend::Auto) {
+    const Diagnostics faults = compileFaults(**context, registry);
+    problems.insert(problems.end(), faults.begin(), faults.end());
+  } else if (arguments.backend != gl::Backend::Auto) {
     log::report(context.diagnostics());
     return kNoContext;
   } else {
@@ -118,18 +117,14 @@ int run(const Arguments& arguments) {
     for (const Term& term : library)
       document["terms"].push_back({{"kind", name(term.kind)}, {"name", term.name}, {"doc", term.doc}});
     document["problems"] = problemsJson(problems);
-    if (arguments.has("check")) document["laws"] = problemsJson(laws);
     fmt::print("{}\n", document.dump(2, ' ', false, ordered_json::error_handler_t::replace));
   } else {
     for (const ModelPtr& model : registry.all()) printModel(*model);
     for (const TermKind kind : {TermKind::D, TermKind::V, TermKind::F, TermKind::Diffuse})
       fmt::print("terms {:<10}{}\n", name(kind), fmt::join(termNames(kind), ", "));
-    if (arguments.has("check") && laws.empty() && problems.empty())
-      fmt::print("\nEvery model keeps the laws that it claims.\n");
   }
-  log::report(laws);
   log::report(problems);
-  return laws.empty() && problems.empty() ? kDone : kVerdictNo;
+  return problems.empty() ? kDone : kVerdictNo;
 }
 
 }  // namespace
@@ -138,8 +133,7 @@ extern const Command kModelsCommand;
 const Command kModelsCommand = {
     .name = "models",
     .summary = "List the shading models and terms, with parameters, claims, citations; exit 1 when any has a problem",
-    .options = {{"--check", "", "evaluate every model and say which of the laws it claims it breaks"}},
-    .examples = {"glint models", "glint models --json", "glint models --check --models-dir my-models"},
+    .examples = {"glint models", "glint models --json", "glint models --models-dir my-models"},
     .run = run,
 };
 

@@ -10,6 +10,7 @@ extern const Command kDiffCommand;
 extern const Command kEditCommand;
 extern const Command kInfoCommand;
 extern const Command kModelsCommand;
+extern const Command kVerifyCommand;
 extern const Command kNewModelCommand;
 extern const Command kNodesCommand;
 extern const Command kRenderCommand;
@@ -21,6 +22,7 @@ std::span<const Command* const> commands() {
       &kEditCommand,
       &kDiffCommand,
       &kModelsCommand,
+      &kVerifyCommand,
       &kNodesCommand,
       &kNewModelCommand,
       &kCompileCommand,

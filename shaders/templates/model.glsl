@@ -21,7 +21,7 @@
 }
 */
 
-// A shading model is this one file. Save it, and Glint has it: `glint models --check` says whether it keeps the
+// A shading model is this one file. Save it, and Glint has it: `glint verify` says whether it keeps the
 // laws that it claims, `glint compare --models ggx,@ID@ -o out.png` shows it.
 //
 // Define any of these; what is not defined comes from "terms" (`glint models` lists them). A model whose terms

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <fstream>
 
 #include "tests/support/program.h"
@@ -99,14 +101,38 @@ TEST(ModelsCommand, TablesThatAreNotFiniteAreSaid) {
   }
 }
 
-TEST(ModelsCommand, ChecksTheLaws) {
+TEST(VerifyCommand, ABrokenClaimIsRed) {
   write("mine/bright.glsl", "/*glint {\"id\": \"bright\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"},\n"
                             "\"claims\": {\"energyConserving\": true}} */\n"
                             "float V(Shading s, Parameters p) { return 1.0; }\n");
-  const auto ran = glint({"models", "--check", "--models-dir", "mine"});
+  const auto ran = glint({"verify", "bright", "--models-dir", "mine"});
   EXPECT_EQ(ran.code, 1);
-  EXPECT_EQ(ran.errorLines().size(), 1u) << ran.err;
-  EXPECT_THAT(ran.err, HasSubstr("mine/bright.glsl: does not conserve energy"));
+  EXPECT_THAT(ran.out, HasSubstr("red     bright"));
+  EXPECT_THAT(ran.out, HasSubstr("gains energy against its claim: the specular part reflects 3.999 times"));
+  const auto one = glint({"verify", "mine/bright.glsl", "ggx", "--json"});
+  EXPECT_EQ(one.code, 1);
+  const auto document = nlohmann::json::parse(one.out);
+  EXPECT_EQ(document["verdict"], "red");
+  EXPECT_EQ(document["models"][0]["verdict"], "red");
+  EXPECT_EQ(document["models"][1]["verdict"], "green");
+}
+
+TEST(VerifyCommand, KnownCases) {
+  const auto ran = glint({"verify", "burley", "Blinn*SmithBeckmann*Schlick"});
+  EXPECT_EQ(ran.code, 0) << "neither claims to conserve energy";
+  EXPECT_THAT(ran.out, HasSubstr("amber   burley"));
+  EXPECT_THAT(ran.out, HasSubstr("reflects 2.30")) << "physics.md H3: 2.30 at roughness 0.15, NoV 0.005";
+  EXPECT_THAT(ran.out, HasSubstr("reflects 1.33")) << "B6: 1.330 at roughness 1, NoV 0.005";
+}
+
+TEST(VerifyCommand, BadInput) {
+  EXPECT_BAD_INPUT(glint({"verify", "gxx"}), "model 'gxx'", "unknown shading model");
+  EXPECT_BAD_INPUT(glint({"verify", "GGX*Nothing*Schlick"}), "model 'GGX*Nothing*Schlick'", "unknown V term 'Nothing'");
+  write("mine/broken.glsl", "/*glint {\"id\": \"broken\", \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n"
+                            "float D(Shading s, Parameters p) { return s.nonsense; }\n");
+  const auto ran = glint({"verify", "--models-dir", "mine"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.out, HasSubstr("mine/broken.glsl:2"));
 }
 
 TEST(NewModelCommand, WritesOneThatWorks) {
@@ -115,9 +141,9 @@ TEST(NewModelCommand, WritesOneThatWorks) {
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(made.out, "mine/two-lobe.glsl\n");
   EXPECT_EQ(filesIn(scratch() / "mine"), std::vector<std::string>{"two-lobe.glsl"});
-  const auto checked = glint({"models", "--check", "--models-dir", "mine", "--json"});
+  const auto checked = glint({"verify", "two-lobe", "--models-dir", "mine", "--json"});
   EXPECT_EQ(checked.code, 0) << checked.err;
-  EXPECT_THAT(checked.out, HasSubstr("\"Two lobe\""));
+  EXPECT_THAT(checked.out, HasSubstr("\"model\": \"two-lobe\""));
 }
 
 TEST(NewModelCommand, GoesToTheConfigurationByDefault) {

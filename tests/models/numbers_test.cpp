@@ -7,7 +7,8 @@
 
 #include "materials/model_registry.h"
 #include "renderer/gl/context.h"
-#include "renderer/model_laws.h"
+#include "renderer/model_integrals.h"
+#include "renderer/model_probe.h"
 
 namespace glint {
 namespace {
@@ -85,6 +86,11 @@ class ModelNumbers : public testing::Test {
     GLINT_CHECK(made.ok(), "{}", made.diagnostics()[0].text());
     return std::move(*made);
   }
+  ModelIntegrals integrals(const std::string& id) {
+    auto made = ModelIntegrals::of(**ModelRegistry().get(id));
+    GLINT_CHECK(made.ok(), "{}", made.diagnostics()[0].text());
+    return std::move(*made);
+  }
   std::unique_ptr<gl::Context> context_;
 };
 
@@ -114,20 +120,22 @@ TEST_F(ModelNumbers, WholeModels) {
 
 TEST_F(ModelNumbers, DirectionalAlbedo) {
   for (const Known& known : kKnown) {
-    std::vector<AlbedoQuery> queries;
+    std::vector<IntegralQuery> queries;
     const json& rows = numbers()["albedo"][known.truth];
     for (const json& row : rows) queries.push_back({row[0], row[1], known.analyticLight});
-    const std::vector<Albedo> measured = directionalAlbedo(probe(known.id), queries);
+    const std::vector<ModelIntegral> measured = integrals(known.id).evaluate(queries);
     for (size_t i = 0; i < queries.size(); ++i)
-      EXPECT_NEAR(measured[i].specular, rows[i][2].get<double>(), 2e-3 * std::max(1.0, rows[i][2].get<double>()))
+      EXPECT_NEAR(measured[i].specular.g, rows[i][2].get<double>(), 2e-3 * std::max(1.0, rows[i][2].get<double>()))
           << known.truth << " at " << rows[i];
   }
 }
 
 TEST_F(ModelNumbers, DistributionsIntegrateToOne) {
-  const float roughness[] = {0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.7f, 0.9f, 1.f};
+  std::vector<IntegralQuery> queries;
+  for (const float roughness : {0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.7f, 0.9f, 1.f}) queries.push_back({roughness, 0.5f, true});
   for (const ModelPtr& model : ModelRegistry().all())
-    for (const double integral : integralOfD(probe(model->id), roughness)) EXPECT_NEAR(integral, 1, 2e-3) << model->id;
+    for (const ModelIntegral& integral : integrals(model->id).evaluate(queries))
+      EXPECT_NEAR(integral.distribution, 1, 1e-3) << model->id;
 }
 
 // Both limits of GTR are 0/0 as printed: gamma 1 must meet its neighbours, and alpha 1 is 1/pi for every gamma.

@@ -1,0 +1,286 @@
+#include "renderer/model_health.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "materials/base/check.h"
+#include "renderer/model_integrals.h"
+#include "renderer/model_probe.h"
+#include "renderer/split_sum_error.h"
+
+namespace glint {
+namespace {
+
+using std::numbers::pi;
+
+// Single precision and quadrature stay below these, see tests/models/numbers_test.cpp.
+constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03;
+constexpr float kMirrorRoughness = 0.1f;
+constexpr size_t kLaws = 8;
+
+const std::vector<float> kFineRoughness = {0.05f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.35f, 0.4f, 0.45f, 0.5f,
+                                           0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 1.f};
+const std::vector<float> kFineNoV = {0.005f, 0.01f, 0.02f, 0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.7f, 0.85f, 1.f};
+const std::vector<float> kCoarseRoughness = {0.05f, 0.15f, 0.3f, 0.5f, 0.75f, 1.f};
+const std::vector<float> kCoarseNoV = {0.005f, 0.05f, 0.2f, 0.5f, 1.f};
+
+glm::dvec3 direction(double cosine, double azimuth) {
+  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
+}
+
+struct Pair {
+  glm::dvec3 light, view;
+};
+
+// Over the hemispheres, with the cases that divide by zero where a model is careless; each is followed by itself with
+// light and view in each other's place.
+std::vector<Pair> directionPairs() {
+  const double cosines[] = {1e-7, 1e-3, 0.02, 0.1, 0.35, 0.7, 0.95, 1};
+  std::vector<Pair> pairs;
+  for (const double l : cosines)
+    for (const double v : cosines)
+      for (const double azimuth : {0.0, 1.1, 2.6, pi}) {
+        pairs.push_back({direction(l, azimuth), direction(v, 0)});
+        pairs.push_back({direction(v, 0), direction(l, azimuth)});
+      }
+  return pairs;
+}
+
+std::vector<ProbePoint> probePoints() {
+  const std::vector<Pair> pairs = directionPairs();
+  std::vector<ProbePoint> points;
+  for (const bool light : {true, false})
+    for (const float roughness : {0.f, 0.02f, 0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.f})
+      for (const float F0 : {0.f, 0.04f, 1.f})
+        for (const Pair& pair : pairs) {
+          ProbePoint p = ProbePoint::at(pair.light, pair.view);
+          p.fromDirections = true;
+          p.roughness = roughness;
+          p.F0 = glm::vec3(F0);
+          p.analyticLight = light;
+          points.push_back(p);
+        }
+  return points;
+}
+
+class Examination {
+ public:
+  Examination(const ShadingModel& model, ModelHealth& card) : model_(model), card_(card) {
+    card_.laws.reserve(kLaws);  // results are referred to while others are added
+  }
+
+  void run() {
+    auto probe = ModelProbe::ofModel(model_);
+    if (!probe) return fails(probe.diagnostics());
+    auto integrals = ModelIntegrals::of(model_);
+    if (!integrals) return fails(integrals.diagnostics());
+    result(Law::Compiles);
+    hasD_ = model_.definesD || !model_.termD.empty();
+    values(*probe);
+    if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
+    energy(*integrals, kFineRoughness, kFineNoV);
+    mirror(*integrals);
+    environment(*probe, *integrals);
+    for (const ModelParameter& p : model_.parameters) {
+      for (const float end : {p.minimum, p.maximum}) {
+        Value value = p.standard;
+        value.v.fill(end);
+        probe->set(p.name, value);
+        integrals->set(p.name, value);
+        setting_ = fmt::format(", {} {}", p.name, end);
+        values(*probe);
+        if (result(Law::Finite).verdict == Verdict::Red) return;
+        energy(*integrals, kCoarseRoughness, kCoarseNoV);
+      }
+      probe->set(p.name, p.standard);
+      integrals->set(p.name, p.standard);
+    }
+  }
+
+ private:
+  LawResult& result(Law law) {
+    for (LawResult& r : card_.laws)
+      if (r.law == law) return r;
+    card_.laws.push_back({.law = law, .where = {}, .reason = {}, .hint = {}});
+    return card_.laws.back();
+  }
+
+  void fails(const Diagnostics& faults) {
+    LawResult& r = result(Law::Compiles);
+    r.verdict = Verdict::Red;
+    r.where = faults[0].place;
+    r.reason = faults[0].what;
+    r.hint = faults[0].hint;
+  }
+
+  // A fault that the model has with its parameters at their defaults is not told again of their ends.
+  bool told(const LawResult& law) const { return !setting_.empty() && law.verdict != Verdict::Green; }
+
+  std::string at(const ProbePoint& p) const {
+    return fmt::format("roughness {:.3g}, NoL {:.4g}, NoV {:.4g}, F0 {:.2g}{}", p.roughness, p.light.z, p.view.z, p.F0.g, setting_);
+  }
+  std::string at(const IntegralQuery& q) const {
+    return fmt::format("roughness {:.3g}, NoV {:.3g}{}{}", q.roughness, q.NoV, q.analyticLight ? "" : ", under an environment",
+                       setting_);
+  }
+
+  void values(const ModelProbe& probe) {
+    static const std::vector<ProbePoint> points = probePoints();
+    const std::vector<glm::vec4> out = probe.evaluate(points);
+    LawResult &finite = result(Law::Finite), &positive = result(Law::NonNegative);
+    double worst = 0;
+    size_t worstAt = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      for (const glm::vec4& v : {out[2 * i], out[2 * i + 1]})
+        for (int c = 0; c < 4; ++c) {
+          if (!std::isfinite(v[c]) && finite.verdict == Verdict::Green) {
+            finite.verdict = Verdict::Red;
+            finite.where = at(points[i]);
+            finite.reason = "is not finite";
+            finite.hint = "guard a division, a root or a power";
+          } else if (v[c] < positive.value && !told(positive)) {
+            positive.verdict = Verdict::Red;
+            positive.value = v[c];
+            positive.where = at(points[i]);
+            positive.reason = fmt::format("is negative, {:.4g}", v[c]);
+            positive.hint = "light cannot be taken away: clamp the term that turns";
+          }
+        }
+      if (i % 2) continue;
+      for (size_t part = 0; part < 2; ++part)
+        for (int c = 0; c < 3; ++c) {
+          const double a = out[2 * i + part][c], b = out[2 * i + 2 + part][c];
+          const double difference = std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-3});
+          if (difference > worst) {
+            worst = difference;
+            worstAt = i;
+          }
+        }
+    }
+    LawResult& reciprocal = result(Law::Reciprocity);
+    reciprocal.claimed = model_.claims.reciprocal;
+    if (worst <= reciprocal.value || told(reciprocal)) return;
+    reciprocal.value = worst;
+    reciprocal.where = at(points[worstAt]);
+    if (worst <= kReciprocal) return;
+    reciprocal.verdict = reciprocal.claimed ? Verdict::Red : Verdict::Amber;
+    reciprocal.reason = fmt::format("is not reciprocal{}: swapping light and view changes it by {:.3g} %",
+                                    reciprocal.claimed ? " as it claims" : "", 100 * worst);
+    reciprocal.hint = reciprocal.claimed ? "drop the claim or mend the formula" : "";
+  }
+
+  void energy(const ModelIntegrals& integrals, const std::vector<float>& roughness, const std::vector<float>& NoV) {
+    std::vector<IntegralQuery> queries;
+    for (const bool light : {true, false})
+      for (const float r : roughness)
+        for (const float v : NoV) queries.push_back({r, v, light});
+    const std::vector<ModelIntegral> sums = integrals.evaluate(queries);
+    LawResult& law = result(Law::Energy);
+    law.claimed = model_.claims.energyConserving;
+    for (size_t i = 0; i < sums.size(); ++i) {
+      if (hasD_) distribution(sums[i].distribution, queries[i]);
+      for (const auto& [part, albedo] : {std::pair{"specular", sums[i].specular}, {"diffuse", sums[i].diffuse}}) {
+        const double most = std::max({albedo.r, albedo.g, albedo.b});
+        if (!(most > law.value) || told(law)) continue;
+        law.value = most;
+        law.where = at(queries[i]);
+        if (most <= 1 + kEnergy) continue;
+        law.verdict = law.claimed ? Verdict::Red : Verdict::Amber;
+        law.reason = fmt::format("gains energy{}: the {} part reflects {:.4g} times what it receives",
+                                 law.claimed ? " against its claim" : "", part, most);
+        law.hint = law.claimed ? "drop the claim or mend the formula" : "";
+      }
+    }
+  }
+
+  void distribution(double integral, const IntegralQuery& query) {
+    LawResult& law = result(Law::Normalisation);
+    if (law.value != 0 && std::abs(integral - 1) <= std::abs(law.value - 1)) return;
+    law.value = integral;
+    law.where = at(query);
+    if (std::abs(integral - 1) <= kNormalised) return;
+    law.verdict = Verdict::Red;
+    law.reason = fmt::format("D integrates to {:.4g}, not to 1", integral);
+    law.hint = "the integral of D (n.h) over the hemisphere must be 1: check its factor, 1/pi included";
+  }
+
+  // A microfacet model with smooth, white facets is a mirror: what is missing then is a lost factor.
+  void mirror(const ModelIntegrals& integrals) {
+    const IntegralQuery query[] = {{kMirrorRoughness, 1.f, true}};
+    const ModelIntegral sum = integrals.evaluate(query)[0];
+    const bool diffuseLost = sum.diffuse.g > 0 && sum.diffuse.g < 0.6;
+    LawResult& law = result(Law::MirrorLimit);
+    law.value = sum.specular.g;
+    law.where = at(query[0]);
+    if (hasD_ && sum.specular.g < 1 - kMirror) {
+      law.verdict = Verdict::Amber;
+      law.reason = fmt::format("a white mirror reflects only {:.4g} of what it receives", sum.specular.g);
+      law.hint = "check the factors of D and V: V is G / (4 NoL NoV), D has its 1/pi";
+    } else if (diffuseLost) {
+      law.verdict = Verdict::Amber;
+      law.value = sum.diffuse.g;
+      law.reason = fmt::format("a white diffuse surface reflects only {:.4g} of what it receives", sum.diffuse.g);
+      law.hint = "diffuse is f itself: diffuseColor / pi for Lambert's";
+    }
+  }
+
+  void environment(const ModelProbe& probe, const ModelIntegrals& integrals) {
+    const SplitSumError found = splitSumError(probe, integrals);
+    LawResult& law = result(Law::Environment);
+    law.value = found.rms;
+    law.where = fmt::format("worst {:.3g} at roughness {:.3g}, NoV {:.3g}", found.worst, found.roughness, found.NoV);
+  }
+
+  const ShadingModel& model_;
+  ModelHealth& card_;
+  bool hasD_ = false;
+  std::string setting_;  // ", gamma 4" while a parameter is not at its default
+};
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, 3> kNames = {"green", "amber", "red"};
+  return kNames[static_cast<size_t>(verdict)];
+}
+
+std::string_view name(Law law) {
+  constexpr std::array<std::string_view, kLaws> kNames = {"compiles",      "finite", "non-negative", "reciprocity",
+                                                      "normalisation", "energy", "mirror limit", "environment"};
+  return kNames[static_cast<size_t>(law)];
+}
+
+Verdict ModelHealth::verdict() const {
+  Verdict worst = Verdict::Green;
+  for (const LawResult& r : laws) worst = std::max(worst, r.verdict);
+  return worst;
+}
+
+std::string ModelHealth::reason() const {
+  const Verdict worst = verdict();
+  for (const LawResult& r : laws)
+    if (worst != Verdict::Green && r.verdict == worst) return r.reason + " (" + r.where + ")";
+  return {};
+}
+
+const LawResult* ModelHealth::find(Law law) const {
+  for (const LawResult& r : laws)
+    if (r.law == law) return &r;
+  return nullptr;
+}
+
+ModelHealth checkHealth(const ShadingModel& model) {
+  const auto begin = std::chrono::steady_clock::now();
+  ModelHealth card{.model = model.id, .file = model.file.string(), .laws = {}};
+  Examination(model, card).run();
+  card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return card;
+}
+
+}  // namespace glint

@@ -1,0 +1,121 @@
+#include "renderer/model_integrals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/quadrature.h"
+#include "renderer/shader_assembler.h"
+
+namespace glint {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kPolar = 128, kGroup = 64;
+constexpr size_t kQueriesAtOnce = 256;
+
+// Half vectors at theta = kSmallest (e^(k u) - 1), as dense for every width of a lobe; lights at sin^2(theta) = u.
+struct Nodes {
+  std::vector<glm::vec4> device;              // see shaders/passes/model_integrals.comp
+  std::vector<double> half, diffuse;          // weights: solid angle, and solid angle times cosine
+};
+
+Nodes makeNodes() {
+  constexpr double kSmallest = 2e-4;
+  const double k = std::log1p(0.5 * pi / kSmallest);
+  Nodes nodes;
+  for (const QuadratureNode& node : gaussLegendre(kPolar)) {
+    const double theta = kSmallest * std::expm1(k * node.x);
+    nodes.device.emplace_back(std::sin(theta), std::cos(theta), std::sqrt(node.x), std::sqrt(1 - node.x));
+    nodes.half.push_back(2 * pi * std::sin(theta) * (theta + kSmallest) * k * node.weight);
+    nodes.diffuse.push_back(pi * node.weight);
+  }
+  return nodes;
+}
+
+const Nodes& sharedNodes() {
+  static const Nodes nodes = makeNodes();
+  return nodes;
+}
+
+struct DeviceQuery {
+  glm::vec4 roughnessNoVLight, slots;
+};
+struct Sums {
+  glm::vec4 specularWhite, specularBlack, diffuse;
+};
+
+}  // namespace
+
+Result<ModelIntegrals> ModelIntegrals::of(const ShadingModel& model) {
+  auto program = gl::buildProgram(
+      model.file.string(), {{GL_COMPUTE_SHADER, assembleShader({"shaders/passes/model_integrals.comp", {}, {{"model", modelGlsl(model, kModelSourceIndex)}}})}});
+  if (!program) return modelErrors(model, program.diagnostics()[0].what);
+  ModelIntegrals integrals;
+  integrals.model_ = model;
+  integrals.program_ = std::move(*program);
+  for (const ModelParameter& p : model.parameters) integrals.set(p.name, p.standard);
+  return integrals;
+}
+
+void ModelIntegrals::set(const std::string& name, const Value& value) {
+  int constant = 0;
+  for (ModelParameter& p : model_.parameters) {
+    if (p.name == name) {
+      p.standard.v = value.v;
+      if (p.slot < 0) program_.set4(fmt::format("glintModelConstants[{}]", constant).c_str(), value.v.data());
+    }
+    constant += p.slot < 0;
+  }
+}
+
+std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuery> queries) const {
+  const Nodes& nodes = sharedNodes();
+  const std::array<float, 4> slots = model_.standardSlots();
+  const gl::Buffer nodeBuffer = gl::createBuffer(std::as_bytes(std::span(nodes.device)));
+  std::vector<ModelIntegral> integrals(queries.size());
+  program_.use();
+  for (size_t begin = 0; begin < queries.size(); begin += kQueriesAtOnce) {
+    const auto batch = queries.subspan(begin, std::min(kQueriesAtOnce, queries.size() - begin));
+    std::vector<DeviceQuery> packed;
+    for (const IntegralQuery& q : batch)
+      packed.push_back({{q.roughness, q.NoV, q.analyticLight ? 1.f : 0.f, 0.f}, {slots[0], slots[1], slots[2], slots[3]}});
+    std::vector<Sums> sums(batch.size() * kPolar);
+    const gl::Buffer in = gl::createBuffer(std::as_bytes(std::span(packed)));
+    const gl::Buffer out = gl::createBuffer(std::as_bytes(std::span(sums)));
+    program_.set("count", static_cast<int>(sums.size()));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, nodeBuffer.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, out.id());
+    glDispatchCompute(static_cast<GLuint>((sums.size() + kGroup - 1) / kGroup), 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(sums.size() * sizeof(Sums)), sums.data());
+    for (size_t i = 0; i < sums.size(); ++i) {
+      ModelIntegral& integral = integrals[begin + i / kPolar];
+      const double half = nodes.half[i % kPolar], diffuse = nodes.diffuse[i % kPolar];
+      integral.specular += half * glm::dvec3(sums[i].specularWhite);
+      integral.specularBlack += half * glm::dvec3(sums[i].specularBlack);
+      integral.diffuse += diffuse * glm::dvec3(sums[i].diffuse);
+      integral.distribution += half * sums[i].specularWhite.w;
+      integral.projected += half * sums[i].specularBlack.w;
+    }
+  }
+  return integrals;
+}
+
+double ModelIntegrals::averageAlbedo(float roughness, bool analyticLight) const {
+  std::vector<IntegralQuery> queries;
+  std::vector<double> weights;
+  // Squared nodes: directional albedos of smooth lobes change fastest where the view grazes.
+  for (const QuadratureNode& node : gaussLegendre(24)) {
+    queries.push_back({roughness, static_cast<float>(node.x * node.x), analyticLight});
+    weights.push_back(2 * node.x * node.x * 2 * node.x * node.weight);
+  }
+  const std::vector<ModelIntegral> integrals = evaluate(queries);
+  double sum = 0;
+  for (size_t i = 0; i < integrals.size(); ++i) sum += weights[i] * integrals[i].specular.g;
+  return sum;
+}
+
+}  // namespace glint

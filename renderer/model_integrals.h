@@ -1,0 +1,50 @@
+// Integrals of a model's f and D over the hemisphere, on the device, from the GLSL that draws: what its energy laws,
+// its tables and its compensation are made of. Needs a current context.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <vector>
+
+#include "materials/model.h"
+#include "renderer/gl/objects.h"
+
+namespace glint {
+
+struct IntegralQuery {
+  float roughness = 0.5f, NoV = 1;
+  bool analyticLight = true;   // or an environment: some models differ
+};
+
+// Of one query; the view lies in the plane of the tangent.
+struct ModelIntegral {
+  glm::dvec3 specular{};       // directional albedo of the specular part for F0 = 1: of f NoL
+  glm::dvec3 specularBlack{};  // and for F0 = 0: the B of the environment BRDF; A is the rest (Karis 2013, eq. 8)
+  glm::dvec3 diffuse{};        // directional albedo of the diffuse part for diffuseColor = 1
+  double distribution = 0;     // of D NoH: 1 for a distribution of normals
+  double projected = 0;        // of D max(VoH, 0): the area that Smith's masking brings back to NoV (Heitz 2014, eq. 14)
+};
+
+class ModelIntegrals {
+ public:
+  // Errors: GLSL that does not compile, at the plugin's own lines.
+  static Result<ModelIntegrals> of(const ShadingModel&);
+
+  // A parameter of the model, which has its default until then.
+  void set(const std::string& parameter, const Value&);
+
+  // Good to about 1e-3 of each value from roughness 0.05 up, for lobes of any width around the half vector.
+  std::vector<ModelIntegral> evaluate(std::span<const IntegralQuery>) const;
+
+  // 2 times the integral of E(NoV) NoV over NoV from 0 to 1: the part of uniform light from all sides that the
+  // specular part sends back.
+  double averageAlbedo(float roughness, bool analyticLight = true) const;
+
+ private:
+  ModelIntegrals() = default;
+  ShadingModel model_;
+  gl::Program program_;
+};
+
+}  // namespace glint

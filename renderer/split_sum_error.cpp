@@ -1,0 +1,128 @@
+#include "renderer/split_sum_error.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "renderer/quadrature.h"
+
+namespace glint {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kPolar = 48, kAround = 32;
+
+struct HalfVector {
+  glm::dvec3 h;
+  double sin2, weight;  // solid angle
+};
+
+// As in model_integrals.cpp: as dense for every width of a lobe.
+const std::vector<HalfVector>& halfVectors() {
+  static const std::vector<HalfVector> vectors = [] {
+    constexpr double kSmallest = 1e-3;
+    const double k = std::log1p(0.5 * pi / kSmallest);
+    std::vector<HalfVector> made;
+    for (const QuadratureNode& node : gaussLegendre(kPolar)) {
+      const double theta = kSmallest * std::expm1(k * node.x), sin = std::sin(theta);
+      for (int j = 0; j < kAround; ++j) {
+        const double phi = 2 * pi * (j + 0.5) / kAround;
+        made.push_back({{sin * std::cos(phi), sin * std::sin(phi), std::cos(theta)}, sin * sin,
+                        2 * pi / kAround * sin * (theta + kSmallest) * k * node.weight});
+      }
+    }
+    return made;
+  }();
+  return vectors;
+}
+
+// A dim sky with a window, a lamp and light from the ground's side: soft enough for this quadrature.
+double radiance(const glm::dvec3& l) {
+  struct Lobe {
+    glm::dvec3 axis;
+    double amplitude, sharpness;
+  };
+  static const Lobe lobes[] = {{{0.6, 0, 0.8}, 2, 6}, {{-0.48, 0.64, 0.6}, 3, 15}, {{0, -0.8, 0.6}, 6, 40}};
+  double sum = 0.3 + 0.15 * l.z;
+  for (const Lobe& lobe : lobes) sum += lobe.amplitude * std::exp(lobe.sharpness * (glm::dot(l, lobe.axis) - 1));
+  return sum;
+}
+
+struct Direction {
+  glm::dvec3 light;
+  double weight;  // solid angle of the light times its cosine
+};
+
+// Appends the points that integrate over the lights seen from `view` by half vectors, for one roughness and F0.
+void addPoints(const glm::dvec3& view, float roughness, float F0, std::vector<ProbePoint>& points,
+               std::vector<Direction>& directions) {
+  for (const HalfVector& half : halfVectors()) {
+    const double VoH = glm::dot(view, half.h);
+    const glm::dvec3 light = 2 * VoH * half.h - view;
+    const bool seen = VoH > 0 && light.z > 0;
+    ProbePoint p = seen ? ProbePoint::at(light, view) : ProbePoint{};
+    if (seen) p.sinH2 = static_cast<float>(half.sin2);
+    p.roughness = roughness;
+    p.F0 = glm::vec3(F0);
+    p.diffuseColor = glm::vec3(0);
+    p.metallic = 1;
+    p.analyticLight = false;
+    points.push_back(p);
+    directions.push_back({seen ? light : glm::dvec3(0, 0, 1), seen ? half.weight * 4 * VoH * light.z : 0});
+  }
+}
+
+}  // namespace
+
+SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integrals) {
+  constexpr float kRoughness[] = {0.15f, 0.3f, 0.6f, 0.9f}, kNoV[] = {0.15f, 0.4f, 0.8f}, kF0[] = {0.04f, 1.f};
+  const size_t size = halfVectors().size();
+  std::vector<ProbePoint> points;
+  std::vector<Direction> directions;
+  std::vector<IntegralQuery> queries;
+  for (const float roughness : kRoughness) {
+    addPoints({0, 0, 1}, roughness, 1, points, directions);  // the lobe along the normal
+    for (const float NoV : kNoV) {
+      queries.push_back({roughness, NoV, false});
+      for (const float F0 : kF0) addPoints({std::sqrt(1 - NoV * NoV), 0, NoV}, roughness, F0, points, directions);
+    }
+  }
+  const std::vector<glm::vec4> out = probe.evaluate(points);
+  const std::vector<ModelIntegral> tables = integrals.evaluate(queries);
+
+  SplitSumError error;
+  double squares = 0;
+  size_t block = 0, query = 0;
+  int count = 0;
+  const auto specular = [&](size_t i) { return out[2 * i].g * directions[i].weight; };
+  for (const float roughness : kRoughness) {
+    const size_t lobe = block++;
+    for (const float NoV : kNoV) {
+      const glm::dvec3 reflected(-std::sqrt(1 - NoV * NoV), 0, NoV);
+      // The lobe turned from the normal to the reflected view.
+      const glm::dvec3 side(0, 1, 0), across = glm::cross(side, reflected);
+      double filtered = 0, total = 0;
+      for (size_t i = lobe * size; i < (lobe + 1) * size; ++i) {
+        const glm::dvec3& l = directions[i].light;
+        filtered += specular(i) * radiance(l.x * across + l.y * side + l.z * reflected);
+        total += specular(i);
+      }
+      const ModelIntegral& table = tables[query++];
+      for (const float F0 : kF0) {
+        double exact = 0;
+        for (size_t i = block * size; i < (block + 1) * size; ++i) exact += specular(i) * radiance(directions[i].light);
+        ++block;
+        const double B = table.specularBlack.g, A = table.specular.g - B;
+        if (exact < 1e-6 || total <= 0) continue;
+        const double relative = filtered / total * (F0 * A + B) / exact - 1;
+        squares += relative * relative;
+        ++count;
+        if (std::abs(relative) > std::abs(error.worst)) error = {0, relative, roughness, NoV};
+      }
+    }
+  }
+  error.rms = count ? std::sqrt(squares / count) : 0;
+  return error;
+}
+
+}  // namespace glint
