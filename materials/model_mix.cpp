@@ -6,8 +6,10 @@
 #include <array>
 #include <vector>
 
+#include "materials/base/check.h"
 #include "materials/base/json.h"
 #include "materials/terms.h"
+#include "shaders/shipped_files.h"
 
 namespace glint {
 namespace {
@@ -38,6 +40,17 @@ std::vector<std::string> split(std::string_view text) {
 std::string ModelMix::id() const { return D + "*" + V + "*" + F + (diffuse == "Lambert" ? "" : "*" + diffuse); }
 
 bool isModelMix(std::string_view id) { return id.find('*') != id.npos; }
+
+std::string namedMix(std::string_view name) {
+  static const Json names = [] {
+    constexpr const char* kFile = "shaders/terms/mixes.json";
+    const auto parsed = parseJson(shipped::read(kFile).value_or("{}"), kFile);
+    GLINT_CHECK(parsed.ok() && parsed->isObject(), "{}", kFile);
+    return *parsed;
+  }();
+  const Json* mix = names.find(name);
+  return mix ? mix->text : "";
+}
 
 Result<ModelMix> parseModelMix(std::string_view id) {
   const std::string place = fmt::format("model '{}'", id.substr(0, 200));

@@ -20,6 +20,9 @@ struct ModelMix {
 // Whether an id is meant as a mix: it has a '*', which no other model's id has.
 bool isModelMix(std::string_view id);
 
+// The mix that the literature's name stands for (shaders/terms/mixes.json): "ue4_ibl"; empty for other names.
+std::string namedMix(std::string_view name);
+
 // Errors: not three or four names, or a name that no term of its kind has.
 Result<ModelMix> parseModelMix(std::string_view id);
 

@@ -141,8 +141,9 @@ ModelPtr ModelRegistry::find(std::string_view id) const {
     auto made = mix(id);
     return made ? *made : nullptr;
   }
-  const auto found = models_.find(id);
-  return found == models_.end() ? nullptr : found->second;
+  if (const auto found = models_.find(id); found != models_.end()) return found->second;
+  const std::string named = namedMix(id);
+  return named.empty() ? nullptr : find(named);
 }
 
 Result<ModelPtr> ModelRegistry::get(std::string_view id) const {

@@ -22,7 +22,8 @@ class ModelRegistry {
   // see problems().
   explicit ModelRegistry(std::vector<std::filesystem::path> folders = {});
 
-  // An id may also be a mix of terms (model_mix.h), which is made at its first use. Any thread may ask.
+  // An id may also be a mix of terms, or the literature's name for one (model_mix.h), which is made at its first use. Any
+  // thread may ask.
   ModelPtr find(std::string_view id) const;      // null when unknown
   Result<ModelPtr> get(std::string_view id) const;  // an unknown id names its nearest neighbour
   std::vector<ModelPtr> all() const;             // sorted by id

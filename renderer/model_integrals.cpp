@@ -12,13 +12,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kPolar = 128, kGroup = 64;
+constexpr int kPolar = 128, kQuarter = 24, kGroup = 64;
 constexpr size_t kQueriesAtOnce = 256;
 
-// Half vectors at theta = kSmallest (e^(k u) - 1), as dense for every width of a lobe; lights at sin^2(theta) = u.
+// Half vectors at theta = kSmallest (e^(k u) - 1), as dense for every width of a lobe; lights at sin^2(theta) = u. Around
+// the normal by quarters from the view's plane, where grazing views have their edges.
 struct Nodes {
-  std::vector<glm::vec4> device;              // see shaders/passes/model_integrals.comp
-  std::vector<double> half, diffuse;          // weights: solid angle, and solid angle times cosine
+  std::vector<glm::vec4> polar, around;                       // see shaders/passes/model_integrals.comp
+  std::vector<double> specular, distribution, diffuse;        // weights of the polar nodes
 };
 
 Nodes makeNodes() {
@@ -27,10 +28,16 @@ Nodes makeNodes() {
   Nodes nodes;
   for (const QuadratureNode& node : gaussLegendre(kPolar)) {
     const double theta = kSmallest * std::expm1(k * node.x);
-    nodes.device.emplace_back(std::sin(theta), std::cos(theta), std::sqrt(node.x), std::sqrt(1 - node.x));
-    nodes.half.push_back(2 * pi * std::sin(theta) * (theta + kSmallest) * k * node.weight);
+    nodes.polar.emplace_back(node.x, std::sin(theta), std::cos(theta), std::sqrt(1 - node.x));
+    nodes.specular.push_back(2 * pi * node.weight);
+    nodes.distribution.push_back(2 * pi * std::sin(theta) * (theta + kSmallest) * k * node.weight);
     nodes.diffuse.push_back(pi * node.weight);
   }
+  for (int quarter = 0; quarter < 4; ++quarter)
+    for (const QuadratureNode& node : gaussLegendre(kQuarter)) {
+      const double phi = 0.5 * pi * (quarter + node.x);
+      nodes.around.emplace_back(std::cos(phi), std::sin(phi), 0.25 * node.weight, 0);
+    }
   return nodes;
 }
 
@@ -73,32 +80,34 @@ void ModelIntegrals::set(const std::string& name, const Value& value) {
 std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuery> queries) const {
   const Nodes& nodes = sharedNodes();
   const std::array<float, 4> slots = model_.standardSlots();
-  const gl::Buffer nodeBuffer = gl::createBuffer(std::as_bytes(std::span(nodes.device)));
+  const gl::Buffer polar = gl::createBuffer(std::as_bytes(std::span(nodes.polar)));
+  const gl::Buffer around = gl::createBuffer(std::as_bytes(std::span(nodes.around)));
   std::vector<ModelIntegral> integrals(queries.size());
   program_.use();
   for (size_t begin = 0; begin < queries.size(); begin += kQueriesAtOnce) {
     const auto batch = queries.subspan(begin, std::min(kQueriesAtOnce, queries.size() - begin));
     std::vector<DeviceQuery> packed;
     for (const IntegralQuery& q : batch)
-      packed.push_back({{q.roughness, q.NoV, q.analyticLight ? 1.f : 0.f, 0.f}, {slots[0], slots[1], slots[2], slots[3]}});
+      packed.push_back({{q.roughness, q.NoV, q.analyticLight ? 1.f : 0.f, q.diffuseColor}, {slots[0], slots[1], slots[2], slots[3]}});
     std::vector<Sums> sums(batch.size() * kPolar);
     const gl::Buffer in = gl::createBuffer(std::as_bytes(std::span(packed)));
     const gl::Buffer out = gl::createBuffer(std::as_bytes(std::span(sums)));
     program_.set("count", static_cast<int>(sums.size()));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, nodeBuffer.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, polar.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, around.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, out.id());
     glDispatchCompute(static_cast<GLuint>((sums.size() + kGroup - 1) / kGroup), 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(sums.size() * sizeof(Sums)), sums.data());
     for (size_t i = 0; i < sums.size(); ++i) {
       ModelIntegral& integral = integrals[begin + i / kPolar];
-      const double half = nodes.half[i % kPolar], diffuse = nodes.diffuse[i % kPolar];
-      integral.specular += half * glm::dvec3(sums[i].specularWhite);
-      integral.specularBlack += half * glm::dvec3(sums[i].specularBlack);
-      integral.diffuse += diffuse * glm::dvec3(sums[i].diffuse);
-      integral.distribution += half * sums[i].specularWhite.w;
-      integral.projected += half * sums[i].specularBlack.w;
+      const size_t node = i % kPolar;
+      integral.specular += nodes.specular[node] * glm::dvec3(sums[i].specularWhite);
+      integral.specularBlack += nodes.specular[node] * glm::dvec3(sums[i].specularBlack);
+      integral.diffuse += nodes.diffuse[node] * glm::dvec3(sums[i].diffuse);
+      integral.distribution += nodes.distribution[node] * sums[i].specularWhite.w;
+      integral.projected += nodes.distribution[node] * sums[i].specularBlack.w;
     }
   }
   return integrals;

@@ -55,7 +55,7 @@ GpuPoint pack(const ProbePoint& p) {
           {p.F0, p.metallic},
           {p.diffuseColor, p.specular},
           {p.baseColor, 0.f},
-          {p.light, 0.f},
+          {p.light, static_cast<float>(p.choice)},
           {p.view, p.fromDirections ? 1.f : 0.f},
           p.a,
           p.b};
@@ -123,11 +123,25 @@ Result<ModelProbe> ModelProbe::ofTerms(std::span<const Term> terms) {
     for (size_t i = 0; i < term.parameters.size(); ++i) arguments += std::string(", a.") + "xyzw"[i];
     outputs.push_back(fmt::format("vec4({}({}), {})", term.function(), arguments, colour ? "0.0" : "0.0, 0.0, 0.0"));
   }
-  return ofExpressions(outputs);
+  return build("terms", termsGlsl(), outputs);
 }
 
-Result<ModelProbe> ModelProbe::ofExpressions(const std::vector<std::string>& expressions) {
-  return build("terms", termsGlsl(), expressions);
+Result<ModelProbe> ModelProbe::ofChoices(const std::vector<std::string>& expressions) {
+  std::string glsl = termsGlsl() + R"(
+// For expressions: a Shading with something else in it.
+Shading withAlpha(Shading s, float alpha) {
+  s.alpha = alpha;
+  s.alpha2 = alpha * alpha;
+  return s;
+}
+Shading withColors(Shading s, vec3 baseColor, float metallic, float specular) {
+  setColors(s, baseColor, metallic, specular);
+  return s;
+}
+vec4 chosen(int choice, Shading s, vec4 a, vec4 b) {
+)";
+  for (size_t i = 0; i < expressions.size(); ++i) glsl += fmt::format("  if (choice == {}) return {};\n", i, expressions[i]);
+  return build("expressions", glsl + "  return vec4(0.0);\n}\n", {"chosen(int(points[i].light.w), s, a, b)"});
 }
 
 Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {

@@ -23,6 +23,7 @@ struct ProbePoint {
   float metallic = 0, specular = 0.5f;
   bool analyticLight = true;
   glm::vec4 a{0}, b{0};                      // arguments of expressions
+  int choice = 0;                            // the expression, of ofChoices()
   // The cosines come from `light` and `view` as in a picture (setDirections of shading.glsl) instead of from
   // the members above.
   bool fromDirections = false;
@@ -38,8 +39,9 @@ class ModelProbe {
   // One output a term: (value, 0, 0, 0) or (r, g, b, 0). A term's own parameters are the point's `a`, in order. Errors:
   // GLSL that does not compile.
   static Result<ModelProbe> ofTerms(std::span<const Term>);
-  // One output an expression: a vec4 of GLSL from `Shading s` and `vec4 a, b` of the point, with all terms at hand.
-  static Result<ModelProbe> ofExpressions(const std::vector<std::string>&);
+  // Expressions are GLSL of type vec4 from `Shading s` and `vec4 a, b` of the point, with all terms at hand. One output:
+  // the expression that the point chooses.
+  static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
   // Two outputs: (specular f, D) and (diffuse f, 0), both without cosine. Errors: at the plugin's own lines.
   static Result<ModelProbe> ofModel(const ShadingModel&);
 

@@ -8,6 +8,7 @@ extern const Command kCompareCommand;
 extern const Command kCompileCommand;
 extern const Command kDiffCommand;
 extern const Command kEditCommand;
+extern const Command kEvalCommand;
 extern const Command kInfoCommand;
 extern const Command kModelsCommand;
 extern const Command kVerifyCommand;
@@ -23,6 +24,7 @@ std::span<const Command* const> commands() {
       &kDiffCommand,
       &kModelsCommand,
       &kVerifyCommand,
+      &kEvalCommand,
       &kNodesCommand,
       &kNewModelCommand,
       &kCompileCommand,

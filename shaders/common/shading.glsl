@@ -21,7 +21,7 @@ struct Shading {
 const float kPi = 3.14159265358979323846;
 
 // The one place where roughness becomes alpha. The floor keeps D finite in single precision.
-float alphaFromRoughness(float roughness) { return max(roughness * roughness, 1e-3); }
+float alphaFromRoughness(float roughness) { return max(roughness * roughness, 5e-4); }
 
 void setRoughness(inout Shading s, float roughness) {
   s.roughness = roughness;

@@ -5,14 +5,18 @@
 #pragma glint model
 layout(local_size_x = 64) in;
 
-struct Query { vec4 roughnessNoVLight, slots; };  // roughness, NoV, 1 under a light and 0 under an environment
-struct Sums { vec4 specularWhite, specularBlack, diffuse; };  // f NoL for F0 1 and 0, and for diffuseColor 1; D in w
+struct Query { vec4 values, slots; };  // roughness, NoV, 1 under a light and 0 under an environment, diffuseColor
+struct Sums { vec4 specularWhite, specularBlack, diffuse; };  // f NoL for F0 1 and 0, and for diffuseColor; integrals of D in w
 layout(std430, binding = 0) readonly buffer Queries { Query queries[]; };
-layout(std430, binding = 1) readonly buffer Nodes { vec4 nodes[]; };  // sin, cos of theta_h; sin, cos of theta_l
+// Polar nodes u from 0 to 1; sin and cos of the theta_h that stands at u for D; cosine of the light at sin^2 = u.
+layout(std430, binding = 1) readonly buffer PolarNodes { vec4 polar[]; };
+// cos and sin of an azimuth, and its weight: they add up to 1.
+layout(std430, binding = 3) readonly buffer AroundNodes { vec4 around[]; };
 layout(std430, binding = 2) writeonly buffer Results { Sums results[]; };
 uniform int count;
 
-const int kAround = 96, kAroundDiffuse = 48;
+// As renderer/model_integrals.cpp: theta = kSmallest (e^(k u) - 1).
+const float kSmallest = 2e-4;
 
 void colors(inout Shading s, float F0, float diffuse) {
   s.F0 = vec3(F0);
@@ -22,13 +26,13 @@ void colors(inout Shading s, float F0, float diffuse) {
 void main() {
   int index = int(gl_GlobalInvocationID.x);
   if (index >= count) return;
-  Query query = queries[index / nodes.length()];
-  vec4 node = nodes[index % nodes.length()];
-  float NoV = query.roughnessNoVLight.y;
+  Query query = queries[index / polar.length()];
+  vec4 node = polar[index % polar.length()];
+  float NoV = query.values.y;
   vec3 V = vec3(sqrt(max((1.0 - NoV) * (1.0 + NoV), 0.0)), 0.0, NoV);
 
   Shading s;
-  setRoughness(s, query.roughnessNoVLight.x);
+  setRoughness(s, query.values.x);
   setView(s, vec3(0.0, 0.0, 1.0), V);
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
@@ -36,40 +40,52 @@ void main() {
   s.specular = 0.5;
   s.metallic = 1.0;
   colors(s, 1.0, 1.0);
-  s.analyticLight = query.roughnessNoVLight.z != 0.0;
+  s.analyticLight = query.values.z != 0.0;
   Parameters p = modelParameters(query.slots);
   modelPrepare(s, p);
 
   Sums sums = Sums(vec4(0.0), vec4(0.0), vec4(0.0));
-  for (int j = 0; j < kAround; ++j) {
-    float phi = (float(j) + 0.5) * (2.0 * kPi / float(kAround));
-    vec3 H = vec3(node.x * cos(phi), node.x * sin(phi), node.y);
+  for (int j = 0; j < around.length(); ++j) {
+    vec4 azimuth = around[j];
+    // The half vectors whose light is above the horizon end where cos(2 theta - delta) = 0: nodes over just these meet
+    // no edge.
+    float delta = atan(V.x * azimuth.x, NoV);
+    float end = 0.25 * kPi + 0.5 * delta;
+    float k = log(1.0 + end / kSmallest), grown = kSmallest * exp(k * node.x);
+    float theta = grown - kSmallest, sinTheta = sin(theta), cosTheta = cos(theta);
+    vec3 H = vec3(sinTheta * azimuth.x, sinTheta * azimuth.y, cosTheta);
     float VoH = dot(V, H);
     vec3 L = 2.0 * VoH * H - V;
+    if (VoH <= 0.0 || L.z <= 0.0) continue;
     setLight(s, L);
     // From the half vector itself: going through L loses its last digits.
     s.H = H;
-    s.NoH = node.y;
-    s.sinH2 = node.x * node.x;
-    float D = modelD(s, p);
-    sums.specularWhite.w += D * node.y;
-    sums.specularBlack.w += D * max(VoH, 0.0);
-    if (VoH <= 0.0 || L.z <= 0.0) continue;
-    float weight = 4.0 * VoH * L.z;
+    s.NoH = cosTheta;
+    s.sinH2 = sinTheta * sinTheta;
+    float weight = azimuth.z * sinTheta * grown * k * 4.0 * VoH * L.z;
     colors(s, 1.0, 1.0);
     sums.specularWhite.rgb += modelSpecular(s, p) * weight;
     colors(s, 0.0, 1.0);
     sums.specularBlack.rgb += modelSpecular(s, p) * weight;
   }
-  s.metallic = 0.0;
-  colors(s, 0.04, 1.0);
-  for (int j = 0; j < kAroundDiffuse; ++j) {
-    float phi = (float(j) + 0.5) * (2.0 * kPi / float(kAroundDiffuse));
-    setLight(s, vec3(node.z * cos(phi), node.z * sin(phi), node.w));
-    sums.diffuse.rgb += modelDiffuse(s, p);
+  for (int j = 0; j < around.length(); ++j) {
+    vec4 azimuth = around[j];
+    vec3 H = vec3(node.y * azimuth.x, node.y * azimuth.y, node.z);
+    float VoH = dot(V, H);
+    setLight(s, 2.0 * VoH * H - V);
+    s.H = H;
+    s.NoH = node.z;
+    s.sinH2 = node.y * node.y;
+    float D = modelD(s, p) * azimuth.z;
+    sums.specularWhite.w += D * node.z;
+    sums.specularBlack.w += D * max(VoH, 0.0);
   }
-  sums.specularWhite /= float(kAround);
-  sums.specularBlack /= float(kAround);
-  sums.diffuse /= float(kAroundDiffuse);
+  s.metallic = 0.0;
+  colors(s, 0.04, query.values.w);
+  for (int j = 0; j < around.length(); ++j) {
+    vec4 azimuth = around[j];
+    setLight(s, vec3(sqrt(node.x) * azimuth.x, sqrt(node.x) * azimuth.y, node.w));
+    sums.diffuse.rgb += modelDiffuse(s, p) * azimuth.z;
+  }
   results[index] = sums;
 }

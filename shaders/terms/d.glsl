@@ -85,6 +85,9 @@ float D_GTR(Shading s, float gamma) { return D_GTR(s, gamma, normalisationGTR(s.
 // Burley 2012, sec. 5.4: the clear coat's distribution, gamma = 1.
 float D_GTR1(Shading s) { return D_GTR(s, 1.0); }
 
+// Burley 2012, sec. 5.4: how wide it is for a gloss from 0 to 1.
+float clearCoatAlpha(float gloss) { return mix(0.1, 0.001, gloss); }
+
 // Gamma 1.5: half way between Berry and GGX, as the thesis (Herman, sec. 4.4.1) takes it.
 float D_GTR1_5(Shading s) { return D_GTR(s, 1.5); }
 
