@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "materials/base/hash.h"
+#include "materials/base/utf8.h"
 
 namespace glint {
 namespace fs = std::filesystem;
@@ -118,23 +121,27 @@ ImageNotes pictureNotes(const Arguments& arguments, const gl::Context& context, 
   notes["Command"] = arguments.commandLine;
   notes["OpenGL renderer"] = context.info().renderer;
   notes["OpenGL version"] = context.info().version;
-  std::map<const void*, uint64_t> meshes;
+  // Names are anybody's text, so they stand in values: one line "hash name" for each.
+  std::map<std::string, std::set<std::string>> lists;
+  const auto list = [&](const char* kind, uint64_t hash, const std::string& name) {
+    lists[kind].insert(hashName(hash) + " " + (name.empty() ? "unnamed" : onOneLine(name)));
+  };
+  std::set<const void*> meshes;
   for (const Scene& scene : scenes) {
-    if (scene.environment) notes["Environment " + scene.environment->name] = hashName(scene.environment->hash);
+    if (scene.environment) list("Environments", scene.environment->hash, scene.environment->name);
     for (const SurfaceMaterial& material : scene.materials) {
-      if (material.model) notes["Model " + material.model->id] = hashName(material.model->hash);
+      if (material.model) list("Models", material.model->hash, material.model->id);
       if (material.compiled) {
         // One material may be drawn with several values or models: each counts.
         uint64_t hash = hashBytes(material.block.data(), material.block.size(), material.compiled->hash);
         for (const Value& value : material.modelParameters) hash = hashBytes(value.v.data(), sizeof(value.v), hash);
-        std::string& listed = notes["Material " + material.compiled->name];
-        if (listed.find(hashName(hash)) == std::string::npos) listed += (listed.empty() ? "" : " ") + hashName(hash);
+        list("Materials", hash, material.compiled->name);
       }
     }
     for (const Instance& instance : scene.instances)
-      if (instance.mesh && meshes.emplace(instance.mesh.get(), 0).second)
-        notes["Mesh " + (instance.mesh->name.empty() ? "unnamed" : instance.mesh->name)] = hashName(hashOf(*instance.mesh));
+      if (instance.mesh && meshes.insert(instance.mesh.get()).second) list("Meshes", hashOf(*instance.mesh), instance.mesh->name);
   }
+  for (const auto& [kind, lines] : lists) notes[kind] = fmt::format("{}", fmt::join(lines, "\n"));
   return notes;
 }
 

@@ -42,8 +42,8 @@ Diagnostics tonemapWarning(const Arguments&, const std::filesystem::path&, Pictu
 // What is said of a picture in which pixels had no value.
 Diagnostic invalidPixelsWarning(const std::filesystem::path&, int count);
 
-// Command line, versions, OpenGL, and the content hashes of every model, material, mesh and environment in the
-// scenes, once each.
+// Command line, versions, OpenGL, and under "Models", "Materials", "Meshes" and "Environments" one line "hash name" for
+// each in the scenes: its content's hash, and its name by onOneLine().
 ImageNotes pictureNotes(const Arguments&, const gl::Context&, std::span<const Scene>);
 
 }  // namespace glint

@@ -7,28 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/utf8.h"
 #include "shaders/shipped_files.h"
 
 namespace glint {
-namespace {
-
-// The next code point of UTF-8 text; a malformed byte reads as U+FFFD and is one byte long.
-char32_t nextCodePoint(const std::string& text, size_t& at) {
-  const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(at++);
-  if (first < 0x80) return first;
-  const int more = first >= 0xf0 && first < 0xf8 ? 3 : first >= 0xe0 ? 2 : first >= 0xc2 ? 1 : 0;
-  if (more == 0 || first >= 0xf8) return 0xfffd;
-  char32_t code = first & (0x3fu >> more);
-  for (int i = 0; i < more; ++i) {
-    if (at + i >= text.size() || (byte(at + i) & 0xc0) != 0x80) return 0xfffd;
-    code = (code << 6) | (byte(at + i) & 0x3f);
-  }
-  at += more;
-  return code;
-}
-
-}  // namespace
 
 struct TextPainter::Faces {
   std::string bytes[2];  // FreeType reads from them for as long as a face lives

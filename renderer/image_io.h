@@ -35,8 +35,9 @@ Result<Image8> readImage8(const std::filesystem::path&);
 Result<ImageF> decodeImageF(std::string_view bytes, const std::string& place);
 Result<ImageF> readImageF(const std::filesystem::path&);
 
-// What a picture says of how it was made: command line, versions, GL renderer, content hashes
-// (product.md 4).
+// What a picture says of how it was made: command line, versions, GL renderer, content hashes. Keys are fixed words of
+// the program's, at most 79 printable ASCII characters; whatever comes from files or the user is text, of any bytes (what
+// is not UTF-8 is written to PNG as U+FFFD).
 using ImageNotes = std::map<std::string, std::string>;
 
 // .png only; 1, 3 or 4 channels; the notes as PNG text. Written whole or not at all.

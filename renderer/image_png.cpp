@@ -5,6 +5,7 @@
 #include <csetjmp>
 #include <cstring>
 
+#include "materials/base/utf8.h"
 #include "renderer/image_codecs.h"
 
 namespace glint::codec {
@@ -134,7 +135,7 @@ struct Writer {
   }
 };
 
-// PNG keywords are 1 to 79 bytes of printable Latin-1; ours are plain words, so ASCII is enough.
+// PNG keywords are 1 to 79 bytes of printable Latin-1; ours are plain words of the program's own, so ASCII is enough.
 bool isKeyword(const std::string& key) {
   return !key.empty() && key.size() <= 79 && key.front() != ' ' && key.back() != ' ' &&
          std::all_of(key.begin(), key.end(), [](unsigned char c) { return c >= 32 && c < 127; });
@@ -199,8 +200,11 @@ Result<std::string> encodePng(const Image8& image, const ImageNotes& notes, cons
   Writer writer;
   for (int y = 0; y < image.height; ++y)
     writer.rows.push_back(const_cast<png_bytep>(image.at(0, y)));
-  for (const auto& [key, text] : notes) {
+  std::vector<std::string> texts;
+  texts.reserve(notes.size());
+  for (const auto& [key, given] : notes) {
     GLINT_CHECK(isKeyword(key), "PNG keyword '{}'", key);
+    const std::string& text = texts.emplace_back(validUtf8(given));
     // tEXt holds Latin-1, of which ASCII is all that UTF-8 shares; iTXt holds UTF-8.
     const bool ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 128; });
     png_text entry{};

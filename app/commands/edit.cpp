@@ -43,7 +43,7 @@ int takeScreenshot(const Arguments& arguments, const std::vector<fs::path>& file
   driver.editor().openFiles(files);
   if (!driver.settle(120)) log::report(warning("--screenshot", "the picture was still being drawn after two minutes"));
   const Image8 picture = driver.screenshot();
-  const ImageNotes notes = {{"command", arguments.commandLine}, {"glint", GLINT_VERSION}, {"renderer", (*context)->info().renderer}};
+  const ImageNotes notes = {{"Command", arguments.commandLine}, {"Software", "Glint " GLINT_VERSION}, {"OpenGL renderer", (*context)->info().renderer}};
   const Diagnostics problems = writeImage8(out, picture, notes);
   if (!problems.empty()) return badInput(problems);
   log::info("wrote " + out);

@@ -32,8 +32,32 @@ TEST(Render, WritesAPictureThatSaysWhatMadeIt) {
   EXPECT_EQ(notes->at("Command").rfind("glint render --size 48x32", 0), 0u);
   EXPECT_EQ(notes->at("Software"), "Glint " GLINT_VERSION);
   EXPECT_FALSE(notes->at("OpenGL renderer").empty());
-  EXPECT_TRUE(notes->count("Model ggx"));
+  EXPECT_NE(notes->at("Models").find(" ggx"), std::string::npos) << notes->at("Models");
   EXPECT_EQ(filesIn(scratch()), std::vector<std::string>{"out.png"});
+}
+
+// Names are whatever a file says; none of them may stand where a format wants a word of its own.
+TEST(Render, AnyNameOfAFileIsTakenDown) {
+  std::ofstream(scratch() / "m.json") << R"({"glint": "material", "version": 1, "name": "Größe 日本\n\u0000 )" + std::string(300, 'x') +
+                                             R"( ", "nodes": {"out": {"kind": "output"}}})";
+  ImageF sky(8, 4, 3);
+  for (float& v : sky.data) v = 0.5f;
+  const std::string latin = "Gr\xf6\xdf" "e .hdr";
+  ASSERT_TRUE(writeImageF(scratch() / latin, sky).empty());
+  for (const std::string file : {"out.png", "out.exr", "out.hdr"}) {
+    const auto ran = glint({"render", "m.json", "--env", latin, "--size", "8x8", "--samples", "1", "-o", file});
+    EXPECT_EQ(ran.code, 0) << file << ran.err;
+    if (file == "out.hdr") {
+      EXPECT_TRUE(readImageF(scratch() / file));
+      continue;
+    }
+    const auto notes = readImageNotes(scratch() / file);
+    ASSERT_TRUE(notes) << notes.diagnostics()[0].text();
+    const std::string& materials = notes->at("Materials");
+    EXPECT_NE(materials.find("Größe 日本\\n\\x00 xxx"), std::string::npos) << materials;
+    EXPECT_EQ(materials.find('\n'), std::string::npos);
+    EXPECT_NE(notes->at("Environments").find("Gr\xef\xbf\xbd\xef\xbf\xbd" "e "), std::string::npos) << notes->at("Environments");
+  }
 }
 
 // A white Lambert surface that faces pi lux shows 1: the unit of light, through the whole program.

@@ -4,6 +4,7 @@
 
 #include "materials/base/diagnostic.h"
 #include "materials/base/files.h"
+#include "materials/base/utf8.h"
 
 namespace glint {
 namespace {
@@ -16,6 +17,18 @@ TEST(Diagnostic, TextHasPlaceWhatAndHint) {
 TEST(Diagnostic, SuggestionNamesTheNearest) {
   EXPECT_EQ(suggestion("burly", {"ggx", "burley"}), "did you mean 'burley'?");
   EXPECT_EQ(suggestion("zzzzzzzz", {"ggx", "burley"}), "known: ggx, burley");
+}
+
+TEST(Utf8, WhatIsNoneOfItIsReplaced) {
+  const std::string good = "a\xc3\xbc\xe6\x97\xa5\xf0\x9f\x98\x80 \xef\xbf\xbd";
+  EXPECT_EQ(validUtf8(good), good);
+  const std::string mark = "\xef\xbf\xbd";
+  EXPECT_EQ(validUtf8("x\xf6y"), "x" + mark + "y");
+  EXPECT_EQ(validUtf8("\xe6\x97"), mark + mark) << "cut off";
+  EXPECT_EQ(validUtf8("\xc0\xaf"), mark + mark) << "longer than need be";
+  EXPECT_EQ(validUtf8("\xed\xa0\x80"), mark + mark + mark) << "half a pair";
+  EXPECT_EQ(validUtf8(std::string_view("\0", 1)), mark);
+  EXPECT_EQ(onOneLine("a\nb\\\x1b \x7f"), "a\\nb\\\\\\x1b \\x7f");
 }
 
 TEST(Files, AtomicWriteRoundTripsAndReplaces) {
