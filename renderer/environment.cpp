@@ -40,9 +40,11 @@ Diagnostics check(const ImageF& image, const std::string& place) {
   if (image.width != 2 * image.height)
     problems.push_back(error(place, fmt::format("is {} x {} pixels, not twice as wide as high", image.width, image.height),
                              "an environment is one equirectangular picture of the whole sphere"));
+  // The sun has 2e9 nits; sums of a thousand times that stay finite.
+  constexpr float kBrightest = 1e12f;
   size_t bad = 0, first = 0;
   for (size_t i = 0; i < image.data.size(); ++i)
-    if (!(image.data[i] >= 0) || std::isinf(image.data[i])) {
+    if (!(image.data[i] >= 0 && image.data[i] <= kBrightest)) {
       if (bad++ == 0) first = i;
     }
   if (bad > 0) {
@@ -53,8 +55,8 @@ Diagnostics check(const ImageF& image, const std::string& place) {
         fmt::format("pixel ({}, {}), counted from the top left, is {} in {}{}", pixel % size_t(image.width),
                     pixel / size_t(image.width), std::isnan(v) ? "NaN" : std::isinf(v) ? "infinite" : fmt::format("{:g}", v),
                     std::array{"red", "green", "blue"}[first % 3],
-                    bad > 1 ? fmt::format(", and {} more values are NaN, infinite or negative", bad - 1) : ""),
-        "light is finite and not negative: clamp the picture and save it again"));
+                    bad > 1 ? fmt::format(", and {} more values are NaN, negative or above 1e12", bad - 1) : ""),
+        "light is from 0 to 1e12 nits: clamp the picture and save it again"));
   }
   return problems;
 }

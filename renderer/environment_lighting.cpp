@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 #include "materials/base/hash.h"
 #include "renderer/disk_cache.h"
@@ -15,13 +16,14 @@ namespace {
 
 constexpr int kLobeWidth = 1024;
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 3;
+constexpr uint64_t kCacheVersion = 4;
 
 // Also part of them: the recipe, so that a changed shader or number of samples never meets old results.
 uint64_t recipeHash() {
   static const uint64_t hash = [] {
     uint64_t h = kCacheVersion;
-    for (const char* file : {"shaders/passes/prefilter.frag", "shaders/passes/lobe.frag", "shaders/passes/environment_brdf.frag", "shaders/common/shading.glsl"})
+    for (const char* file : {"shaders/passes/prefilter.frag", "shaders/passes/lobe.frag", "shaders/passes/environment_brdf.frag", "shaders/passes/cube_from_equirect.frag",
+                             "shaders/common/shading.glsl"})
       h = hashText(shipped::read(file).value_or(""), h);
     for (int level = 0; level < EnvironmentLighting::kLevels; ++level) {
       const int samples = EnvironmentLighting::levelSamples(level);
@@ -130,6 +132,11 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   glTextureSubImage2D(equirect.id(), 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT, image.data.data());
   const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/cube_from_equirect.frag", {}, {}});
   program.set("size", static_cast<float>(maps.size));
+  // Halfs end at 65504; the sun is brighter than that, the sky a million times darker.
+  constexpr float kBrightest = 30000;
+  const float peak = *std::max_element(image.data.begin(), image.data.end());
+  maps.scale = peak > kBrightest ? kBrightest / peak : 1;
+  program.set("scale", maps.scale);
   program.set("perSide", std::clamp(image.width / (4 * maps.size) * 2, 2, 8));
   glBindTextureUnit(0, equirect.id());
   gl::Framebuffer framebuffer = gl::createFramebuffer({});
@@ -143,6 +150,7 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   }
   glGenerateTextureMipmap(maps.cube.id());
   maps.irradiance = irradianceHarmonics(image);
+  for (glm::vec4& coefficient : maps.irradiance) coefficient *= maps.scale;
   maps.irradianceBuffer = gl::createBuffer(std::as_bytes(std::span(maps.irradiance)));
   if (progress_) progress_("environment " + environment->name, 1);
   return maps_.put(environment->hash, std::move(maps));
@@ -337,33 +345,73 @@ Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environmen
   return prefiltered_.put(key, std::move(cube)).id();
 }
 
-Result<GLuint> EnvironmentLighting::brdf(const ModelSetting& setting) {
+namespace {
+
+// Three tables of RGBA halfs, one after the other: scale, bias, diffuse.
+constexpr size_t kTexels = size_t{EnvironmentLighting::kBrdfSize} * EnvironmentLighting::kBrdfSize, kTableBytes = kTexels * 8;
+
+glm::vec4 texelOf(const std::string& halfs, size_t table, size_t texel) {
+  uint64_t bits;
+  std::memcpy(&bits, halfs.data() + table * kTableBytes + texel * 8, 8);
+  return glm::unpackHalf4x16(bits);
+}
+
+bool isGrey(const std::string& halfs) {
+  for (size_t table = 0; table < 3; ++table)
+    for (size_t i = 0; i < kTexels; ++i) {
+      const glm::vec4 c = texelOf(halfs, table, i);
+      if (std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) > 2e-3f * (1 + std::abs(c.g))) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSetting& setting) {
   const uint64_t key = setting.key();
-  if (const gl::Texture* found = brdf_.find(key)) return found->id();
-  gl::Texture table = gl::createTexture2D(GL_RGBA16F, kBrdfSize, kBrdfSize);
-  std::string halfs(size_t{kBrdfSize} * kBrdfSize * 8, '\0');
-  if (const auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == halfs.size()) {
-    halfs = *stored;
-    glTextureSubImage2D(table.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGBA, GL_HALF_FLOAT, halfs.data());
+  if (const StoredBrdf* found = brdf_.find(key)) return BrdfTable{found->texture.id(), found->colored};
+  std::string halfs(3 * kTableBytes, '\0');
+  if (auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == halfs.size()) {
+    halfs = std::move(*stored);
   } else {
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 0);
     const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", {},
                                                       {{"model", setting.shader->glsl}}});
     if (!program) return program.diagnostics();
-    (*program)->set2("size", kBrdfSize, kBrdfSize);
-    setting.apply(**program);
-    const GLuint color = table.id();
-    const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
-    drawFullTarget(**program, framebuffer.id(), kBrdfSize, kBrdfSize);
-    glGetTextureImage(color, 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(halfs.size()), halfs.data());
+    drawBrdf(setting, **program, halfs);
     if (diskCache_) writeCache("environment-brdf", key, halfs);
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
   }
-  // Alpha is 0 where a value was not finite.
+  StoredBrdf made;
+  made.colored = !isGrey(halfs);
   int bad = 0;
-  for (size_t i = 0; i < halfs.size(); i += 8) bad += halfs[i + 6] == 0 && halfs[i + 7] == 0;
+  std::vector<glm::vec3> grey;
+  for (size_t i = 0; i < kTexels; ++i) {
+    const glm::vec4 scale = texelOf(halfs, 0, i);
+    bad += scale.a == 0;
+    grey.emplace_back(scale.g, texelOf(halfs, 1, i).g, texelOf(halfs, 2, i).g);
+  }
   if (bad) invalid_[key].brdf = bad;
-  return brdf_.put(key, std::move(table)).id();
+  made.texture = gl::createTexture2D(GL_RGBA16F, kBrdfSize, made.colored ? 3 * kBrdfSize : kBrdfSize);
+  if (made.colored) glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, 3 * kBrdfSize, GL_RGBA, GL_HALF_FLOAT, halfs.data());
+  else glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGB, GL_FLOAT, grey.data());
+  const StoredBrdf& kept = brdf_.put(key, std::move(made));
+  return BrdfTable{kept.texture.id(), kept.colored};
+}
+
+void EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl::Program& program, std::string& halfs) {
+  program.set2("size", kBrdfSize, kBrdfSize);
+  setting.apply(program);
+  gl::Texture tables[3];
+  GLuint colors[3];
+  for (size_t i = 0; i < 3; ++i) {
+    tables[i] = gl::createTexture2D(GL_RGBA16F, kBrdfSize, kBrdfSize);
+    colors[i] = tables[i].id();
+  }
+  const gl::Framebuffer framebuffer = gl::createFramebuffer(colors);
+  drawFullTarget(program, framebuffer.id(), kBrdfSize, kBrdfSize);
+  for (size_t i = 0; i < 3; ++i)
+    glGetTextureImage(colors[i], 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(kTableBytes), halfs.data() + i * kTableBytes);
 }
 
 EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {

@@ -45,6 +45,8 @@ ModelSetting modelSetting(std::shared_ptr<const ModelShader>, const std::vector<
 struct EnvironmentMaps {
   gl::Texture cube;                      // RGBA16F with a full mip chain
   int size = 0;                          // texels along a side of level 0
+  // Both maps hold radiance times this: 1, unless the brightest is more than half a float holds well.
+  float scale = 1;
   std::array<glm::vec4, 9> irradiance{}; // of shaders/passes/lighting.frag: E / pi, constants folded in
   gl::Buffer irradianceBuffer;
 };
@@ -73,7 +75,11 @@ class EnvironmentLighting {
   // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
   // is the model's GLSL not compiling.
   Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&);
-  Result<GLuint> brdf(const ModelSetting&);
+  struct BrdfTable {
+    GLuint texture = 0;
+    bool colored = false;  // three tables, see environmentBrdfAt() in lighting.frag
+  };
+  Result<BrdfTable> brdf(const ModelSetting&);
   // How many values of the tables made for a setting were not finite (or beyond what a half can hold) and are 0 instead.
   struct Invalid {
     int brdf = 0, lobe = 0;
@@ -100,7 +106,13 @@ class EnvironmentLighting {
   gl::VertexArray quad_;
   gl::Buffer quadInstance_;
   RecentlyUsed<EnvironmentMaps> maps_;
-  RecentlyUsed<gl::Texture> prefiltered_, brdf_;
+  struct StoredBrdf {
+    gl::Texture texture;
+    bool colored = false;
+  };
+  void drawBrdf(const ModelSetting&, const gl::Program&, std::string& halfs);
+  RecentlyUsed<gl::Texture> prefiltered_;
+  RecentlyUsed<StoredBrdf> brdf_;
   std::unordered_map<uint64_t, Invalid> invalid_;  // by setting; only those that have any
 };
 

@@ -166,6 +166,7 @@ struct Renderer::State {
       }
       r.view = prepareView(view, meshes, r.groupOfMaterial, r.groups.size(), std::exp2(settings.exposure),
                            EnvironmentLighting::kLevels - 1, jitter);
+      if (view.scene->environment) r.view.block.environmentIntensity /= lighting.maps(view.scene->environment).scale;
       if (r.view.tooManyDirectional)
         problems.push_back(warning("lights", fmt::format("more than {} directional lights", kMostDirectionalLights), "the others are not drawn"));
       r.viewBlock = frame.append(std::as_bytes(std::span(&r.view.block, 1)));
@@ -338,7 +339,8 @@ struct Renderer::State {
         if (!r.view.points.empty()) defines.push_back("POINT_LIGHTS");
         if (emissive) defines.push_back("EMISSIVE");
         if (parameters) defines.push_back("READS_PARAMETERS");
-        GLuint cube = 0, table = 0, irradiance = 0;
+        GLuint cube = 0, irradiance = 0;
+        EnvironmentLighting::BrdfTable table;
         if (environment) {
           // Building tables changes the state; the pass begins anew after it.
           const auto prefiltered = lighting.prefiltered(environment, group.setting);
@@ -349,13 +351,14 @@ struct Renderer::State {
           irradiance = lighting.maps(environment).irradianceBuffer.id();
           reportInvalidTables(group.setting);
           defines.push_back("ENVIRONMENT");
+          if (table.colored) defines.push_back("COLORED_BRDF");
         }
         const gl::Program& program = lightingProgram(group, defines);
         beginRectangles(framebuffer, output);
         bindLighting(r, group);
         if (environment) {
           glBindTextureUnit(6, cube);
-          glBindTextureUnit(7, table);
+          glBindTextureUnit(7, table.texture);
           glBindBufferBase(GL_UNIFORM_BUFFER, 3, irradiance);
         }
         group.setting.apply(program);

@@ -6,6 +6,7 @@ layout(location = 0) out vec4 outColor;
 layout(binding = 0) uniform sampler2D equirect;
 uniform int face;
 uniform float size;
+uniform float scale;       // EnvironmentMaps::scale
 uniform int perSide;       // samples along a side of a texel
 
 void main() {
@@ -17,5 +18,5 @@ void main() {
       vec2 uv = vec2(0.5 + atan(d.z, d.x) / 6.283185307179586, acos(clamp(d.y, -1.0, 1.0)) / 3.141592653589793);
       sum += textureLod(equirect, uv, 0.0).rgb;
     }
-  outColor = vec4(min(sum / float(perSide * perSide), 65504.0), 1.0);
+  outColor = vec4(min(sum * (scale / float(perSide * perSide)), 65504.0), 1.0);
 }

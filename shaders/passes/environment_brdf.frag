@@ -1,12 +1,13 @@
 #version 450 core
 // The environment BRDF of a model (Karis 2013, eq. 8), over x: NoV, y: roughness. Any Fresnel is taken as linear in
 // F0 through its values at 0.04 and 1, which is exact for Schlick's. Half-vector space with tan(theta_h) = alpha
-// tan(psi): the same density of points for any width of the lobe.
-//   r, g: scale on F0 and bias;  b: albedo of the diffuse part for diffuseColor 1
+// tan(psi): the same density of points for any width of the lobe. Alpha is 0 where a value is not finite.
 #include "shaders/common/shading.glsl"
 #pragma glint model
 layout(location = 0) flat in ivec2 inLights;
-layout(location = 0) out vec4 outColor;
+layout(location = 0) out vec4 outScale;    // on F0
+layout(location = 1) out vec4 outBias;
+layout(location = 2) out vec4 outDiffuse;  // albedo of the diffuse part for diffuseColor 1
 uniform vec2 size;
 uniform vec4 standardParameters;
 const int kPsi = 64, kPhi = 48, kDiffuse = 16;
@@ -29,7 +30,7 @@ void main() {
   Parameters p = modelParameters(standardParameters);
   modelPrepare(s, p);
 
-  float at004 = 0.0, at1 = 0.0;
+  vec3 at004 = vec3(0.0), at1 = vec3(0.0);
   for (int i = 0; i < kPsi; ++i) {
     float psi = (float(i) + 0.5) / float(kPsi) * 1.5707963267948966;
     float t = s.alpha * tan(psi);
@@ -51,15 +52,15 @@ void main() {
         s.NoH = cosTheta;
         float weight = measure * 4.0 * VoH * L.z;
         s.F0 = vec3(0.04);
-        at004 += modelSpecular(s, p).r * weight;
+        at004 += modelSpecular(s, p) * weight;
         s.F0 = vec3(1.0);
-        at1 += modelSpecular(s, p).r * weight;
+        at1 += modelSpecular(s, p) * weight;
       }
     }
   }
   s.F0 = vec3(0.04);
   s.metallic = 0.0;
-  float diffuseAlbedo = 0.0;
+  vec3 diffuseAlbedo = vec3(0.0);
   for (int i = 0; i < kDiffuse; ++i)
     for (int j = 0; j < kDiffuse; ++j) {
       // Cosine-weighted, stratified: f / pdf is pi f.
@@ -67,11 +68,12 @@ void main() {
       float phi = (float(j) + 0.5) / float(kDiffuse) * kPi;
       vec3 L = vec3(sqrt(1.0 - cos2) * cos(phi), sqrt(1.0 - cos2) * sin(phi), sqrt(cos2));
       setLight(s, L);
-      diffuseAlbedo += modelDiffuse(s, p).r * kPi / float(kDiffuse * kDiffuse);
+      diffuseAlbedo += modelDiffuse(s, p) * kPi / float(kDiffuse * kDiffuse);
     }
-  float scale = (at1 - at004) / 0.96;
-  vec3 table = vec3(scale, at004 - 0.04 * scale, diffuseAlbedo);
+  vec3 scale = (at1 - at004) / 0.96, bias = at004 - 0.04 * scale;
   // One sum: compilers make a maximum of several comparisons, and a maximum forgets NaN.
-  bool sound = abs(table.x) + abs(table.y) + abs(table.z) < 1e4;
-  outColor = sound ? vec4(table, 1.0) : vec4(0.0);
+  bool sound = dot(abs(scale) + abs(bias) + abs(diffuseAlbedo), vec3(1.0)) < 1e4;
+  outScale = sound ? vec4(scale, 1.0) : vec4(0.0);
+  outBias = sound ? vec4(bias, 1.0) : vec4(0.0);
+  outDiffuse = sound ? vec4(diffuseAlbedo, 1.0) : vec4(0.0);
 }

@@ -35,6 +35,23 @@ vec3 diffuseIrradiance(vec3 n) {
            irradiance[8].rgb * (n.x * n.x - n.y * n.y);
   return max(e, 0.0);
 }
+
+// Scale on F0 and bias of the specular part, albedo of the diffuse part over Lambert's. Models without colours of their
+// own have the three in one texel; COLORED_BRDF has a table for each, one above the other.
+struct EnvironmentBrdf { vec3 scale, bias, diffuse; };
+EnvironmentBrdf environmentBrdfAt(float NoV, float roughness) {
+  const float kSize = 64.0;  // EnvironmentLighting::kBrdfSize: the outermost texels stand on 0 and 1
+  vec2 texel = vec2(NoV, roughness) * (kSize - 1.0) + 0.5;
+#ifdef COLORED_BRDF
+  vec2 size = vec2(kSize, 3.0 * kSize);
+  return EnvironmentBrdf(textureLod(environmentBrdf, texel / size, 0.0).rgb,
+                         textureLod(environmentBrdf, (texel + vec2(0.0, kSize)) / size, 0.0).rgb,
+                         textureLod(environmentBrdf, (texel + vec2(0.0, 2.0 * kSize)) / size, 0.0).rgb);
+#else
+  vec3 table = textureLod(environmentBrdf, texel / kSize, 0.0).rgb;
+  return EnvironmentBrdf(vec3(table.x), vec3(table.y), vec3(table.z));
+#endif
+}
 #endif
 
 void main() {
@@ -78,16 +95,13 @@ void main() {
   }
 #endif
 #ifdef ENVIRONMENT
-  // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables. x and y: scale on F0 and bias of the
-  // specular part, z: albedo of the diffuse part over Lambert's.
-  float NoV = clamp(dot(N, V), 0.0, 1.0);
-  const float kTableSize = 64.0;  // EnvironmentLighting::kBrdfSize: its outermost texels stand on 0 and 1
-  vec3 table = textureLod(environmentBrdf, (vec2(NoV, surface.roughness) * (kTableSize - 1.0) + 0.5) / kTableSize, 0.0).xyz;
+  // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables.
+  EnvironmentBrdf brdf = environmentBrdfAt(clamp(dot(N, V), 0.0, 1.0), surface.roughness);
   vec3 R = 2.0 * dot(N, V) * N - V;
   float level = view.environmentLevels * surface.roughness * (1.7 - 0.7 * surface.roughness);
   vec3 specularLight = textureLod(prefilteredEnvironment, environmentFromWorld(R), level).rgb;
   vec3 diffuseLight = diffuseIrradiance(environmentFromWorld(N));
-  radiance += (specularLight * max(s.F0 * table.x + table.y, 0.0) + diffuseLight * s.diffuseColor * table.z) *
+  radiance += (specularLight * max(s.F0 * brdf.scale + brdf.bias, 0.0) + diffuseLight * s.diffuseColor * brdf.diffuse) *
               (surface.ambientOcclusion * view.environmentIntensity);
 #endif
   radiance *= surface.cavity;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <glm/glm.hpp>
 
 #include "app/command.h"
 #include "renderer/image_io.h"
@@ -71,6 +72,45 @@ TEST(Render, LinearPicturesAreInNits) {
   EXPECT_NEAR(image->at(8, 8)[0], 0.5, 0.01);
   EXPECT_NEAR(image->at(8, 8)[1], 0.25, 0.01);
   EXPECT_NEAR(image->at(8, 8)[2], 1.0, 0.02);
+}
+
+// A plugin's own colours come through under an environment as they do under a light.
+TEST(Render, ColoredModelsKeepTheirColorUnderAnEnvironment) {
+  std::filesystem::create_directory(scratch() / "mine");
+  std::ofstream(scratch() / "mine/tint.glsl") << R"(/*glint {"id": "tint", "terms": {"D": "GGX", "V": "SmithGGXCorrelated"}} */
+vec3 F(Shading s, Parameters p) { return vec3(0.0, 1.0, 0.25) * F_Schlick(s); }
+vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * vec3(0.5, 0.0, 1.0) / kPi; }
+)";
+  const auto center = [&](const char* metallic, const char* specular) {
+    const auto ran = glint({"render", "--models-dir", "mine", "--model", "tint", "--mesh", "plane", "--camera", "eye=0/0/3,target=0/0/0", "--size",
+                            "16x16", "--samples", "1", "--env", "furnace", "--set", "baseColor=1/1/1", "--set", "roughness=0.3", "--set",
+                            std::string("metallic=") + metallic, "--set", std::string("specular=") + specular, "-o", "out.exr"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    const auto image = readImageF(scratch() / "out.exr");
+    return glm::vec3(image->at(8, 8)[0], image->at(8, 8)[1], image->at(8, 8)[2]);
+  };
+  const glm::vec3 metal = center("1", "0.5"), matt = center("0", "0");
+  EXPECT_NEAR(metal.r, 0, 1e-3);
+  EXPECT_NEAR(metal.g, 0.99, 0.01);
+  EXPECT_NEAR(metal.b, 0.25, 0.01);
+  EXPECT_NEAR(matt.r, 0.5, 0.01);
+  EXPECT_NEAR(matt.b, 1.0, 0.01);
+}
+
+// Halfs end at 65504; a sun does not.
+TEST(Render, SunsAreAsBrightAsTheyAre) {
+  const auto brightest = [&](float sun) {
+    ImageF image(64, 32, 3);
+    for (float& v : image.data) v = 0.01f;
+    for (int c = 0; c < 3; ++c) image.at(32, 10)[c] = sun;
+    EXPECT_TRUE(writeImageF(scratch() / "sun.pfm", image).empty());
+    const auto ran = glint({"render", "--env", "sun.pfm", "--set", "metallic=1", "--set", "roughness=0.5", "--size", "64x64", "--samples", "1", "-o", "out.exr"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    const auto rendered = readImageF(scratch() / "out.exr");
+    return *std::max_element(rendered->data.begin(), rendered->data.end());
+  };
+  const float dim = brightest(1e4f), bright = brightest(1e6f);
+  EXPECT_NEAR(bright / dim, 100, 1);
 }
 
 TEST(Render, BadInputLeavesNothingBehind) {

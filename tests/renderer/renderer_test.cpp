@@ -131,7 +131,8 @@ TEST_F(RendererTest, EnvironmentBrdfMatchesTheExactIntegrals) {
       const auto texture = renderer->environmentLighting().brdf(modelSetting(std::make_shared<ModelShader>(models->find(id)), {}));
       ASSERT_TRUE(texture) << id;
       table.resize(size_t{n} * n * 4);
-      glGetTextureImage(*texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(table.size() * 4), table.data());
+      EXPECT_FALSE(texture->colored) << id;
+      glGetTextureImage(texture->texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(table.size() * 4), table.data());
     }
     const double x = c["NoV"].get<double>() * (n - 1), y = c["roughness"].get<double>() * (n - 1);
     const int i = std::min(n - 2, static_cast<int>(x)), j = std::min(n - 2, static_cast<int>(y));
