@@ -15,6 +15,8 @@ namespace {
 // Compilers recurse over what these bound; hand-written models are far below.
 constexpr size_t kMostStatementTokens = 4000, kMostElses = 500, kMostMacroTokens = 10'000;
 constexpr int kDeepestBrackets = 100;
+// What is computed for every pixel must be small: compilers keep arrays in registers, or try to.
+constexpr long kLargestArray = 1024, kLargestArrayOfStructs = 32, kLongestLoop = 65536;
 
 struct Token {
   std::string_view text;
@@ -190,6 +192,9 @@ class Scanner {
     if (token.isName() && !(previous_ && previous_->text == ".")) checkWord(token.text, token.line);
     noteCalls(token);
     noteOperator(token);
+    checkArray(token);
+    checkLoop(token);
+    beforePrevious_ = previous_;
     previous_ = token;
     const bool inBody = !open_.empty() && open_.front().text[0] == '{';
     const char c = token.text[0];
@@ -244,6 +249,51 @@ class Scanner {
     } else if (c == ')' && !openCalls_.empty() && openCalls_.back().depth == open_.size()) {
       openCalls_.pop_back();
     }
+  }
+
+  // The value of a whole number, or of a constant that was one; nothing for all else.
+  std::optional<long> wholeNumber(std::string_view word) const {
+    if (const auto known = constants_.find(std::string(word)); known != constants_.end()) return known->second;
+    long value = 0;
+    size_t digits = 0;
+    for (; digits < word.size() && std::isdigit(static_cast<unsigned char>(word[digits])); ++digits)
+      value = std::min(value * 10 + (word[digits] - '0'), 1'000'000'000'000L);
+    return digits == 0 || digits + 1 < word.size() ? std::nullopt : std::optional(value);
+  }
+
+  // `float a[3]`, `float[3](..)`, `Frame f[4]`: how many elements must be a plain number, and few.
+  void checkArray(const Token& token) {
+    if (array_) {
+      if (token.text == "]") {
+        const auto size = array_->tokens == 1 ? wholeNumber(array_->last) : std::nullopt;
+        const long most = array_->ofStructs ? kLargestArrayOfStructs : kLargestArray;
+        if (array_->tokens > 0 && !size)
+          fault(token.line, "the size of an array is no plain number", "write it out, or as a const int of its own");
+        else if (size && *size > most)
+          fault(token.line, fmt::format("an array of {}", *size), fmt::format("at most {} are possible{}", most, array_->ofStructs ? " of a struct, or in one" : ""));
+        array_.reset();
+      } else {
+        ++array_->tokens;
+        array_->last = token.text;
+      }
+    } else if (token.text == "[" && previous_) {
+      const bool ofType = isGlslWord(previous_->text);
+      const bool declares = previous_->isName() && beforePrevious_ && (beforePrevious_->isName() || beforePrevious_->text == "]") &&
+                            beforePrevious_->text != "return" && beforePrevious_->text != "else";
+      const bool inStruct = !open_.empty() && keepsStatement_ && !inFunction_;
+      if (ofType || declares) array_ = {0, {}, inStruct || (!ofType && beforePrevious_->isName() && !isGlslWord(beforePrevious_->text))};
+    }
+    // `const int N = 8;`
+    if (previous_ && previous_->text == "=" && beforePrevious_ && beforePrevious_->isName())
+      if (const auto value = wholeNumber(token.text)) constants_[std::string(beforePrevious_->text)] = *value;
+  }
+
+  void checkLoop(const Token& token) {
+    if (token.text == "(" && previous_ && previous_->text == "for" && !loop_) loop_ = open_.size();
+    else if (loop_ && token.text == ")" && open_.size() == *loop_ + 1) loop_.reset();
+    else if (loop_)
+      if (const auto value = wholeNumber(token.text); value && *value > kLongestLoop)
+        fault(token.line, fmt::format("a loop of {}", *value), fmt::format("at most {} turns, for each pixel and light", kLongestLoop));
   }
 
   // Tokens are single characters: of `+=` and `<=` the second one counts for none.
@@ -358,7 +408,15 @@ class Scanner {
   size_t at_ = 0;
   int line_ = 1;
   bool lineHasToken_ = false, keepsStatement_ = false, inFunction_ = false;
-  std::optional<Token> previous_;
+  std::optional<Token> previous_, beforePrevious_;
+  struct OpenArray {
+    int tokens = 0;
+    std::string_view last;
+    bool ofStructs = false;
+  };
+  std::optional<OpenArray> array_;
+  std::optional<size_t> loop_;               // how many brackets were open before the header of a `for`
+  std::map<std::string, long> constants_;    // names that were given a whole number
   struct OpenCall {
     size_t call, depth;  // its index in the function's calls; how many brackets are open inside it
   };

@@ -91,12 +91,14 @@ class EnvironmentLighting {
   // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
   Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples);
 
+  // Draws every pixel of a framebuffer with a program whose vertex shader is shaders/passes/tiles.vert.
+  void drawFullTarget(const gl::Program&, GLuint framebuffer, int width, int height);
+
   // The relative RMS error of each level of a prefiltered cube, against 65,536 samples a texel: over all texels of a
   // level, or over an even choice of 512 where there are more. Level 0 is not filtered and has none.
   Result<std::array<double, kLevels>> prefilterError(const EnvironmentPtr&, const ModelSetting&, GLuint cube);
 
  private:
-  void drawFullTarget(const gl::Program&, GLuint framebuffer, int width, int height);
   ShaderText vertexText() const { return {"shaders/passes/tiles.vert", {}, {}}; }
   gl::Buffer levelSampleBuffer(const std::vector<glm::vec4>&);
 

@@ -1,6 +1,7 @@
 #include "renderer/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -114,9 +115,28 @@ struct Renderer::State {
     auto verdict = verdicts.find(shader.hash);
     if (verdict == verdicts.end()) {
       const auto program = programs.get(tileVertex(), {"shaders/passes/lobe.frag", {}, {{"model", shader.glsl}}});
-      verdict = verdicts.emplace(shader.hash, program ? Diagnostics{} : modelErrors(*shader.model, program.diagnostics()[0].what)).first;
+      Diagnostics faults = program ? slowness(*shader.model, **program) : modelErrors(*shader.model, program.diagnostics()[0].what);
+      verdict = verdicts.emplace(shader.hash, std::move(faults)).first;
     }
     return verdict->second;
+  }
+
+  // A model that would take hours is not drawn: a few values, the fastest of some tries, show it.
+  Diagnostics slowness(const ShadingModel& model, const gl::Program& lobe) {
+    constexpr double kMost = 0.002;  // seconds; sound models take less than a twentieth of it
+    const gl::Texture target = gl::createTexture2D(GL_R32F, 4, 4);
+    const GLuint color = target.id();
+    const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
+    double fastest = 1e9;
+    for (int attempt = 0; attempt < 8 && fastest > kMost; ++attempt) {
+      glFinish();
+      const auto begin = std::chrono::steady_clock::now();
+      lighting.drawFullTarget(lobe, framebuffer.id(), 4, 4);
+      glFinish();
+      fastest = std::min(fastest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    if (fastest <= kMost) return {};
+    return {error(model.file.string(), fmt::format("takes {:.1f} ms for 16 values", 1000 * fastest), "a picture asks for millions: shorten its loops")};
   }
 
   // The shader to draw a model with: its own when it compiles, else its last good version, else none.

@@ -84,6 +84,16 @@ TEST(ModelsCommand, ATakenIdIsSaid) {
 }
 
 // Under an environment alone a model is only seen through its tables.
+TEST(ModelsCommand, OneThatTakesForEverIsRefused) {
+  write("mine/slow.glsl", "/*glint {\"id\": \"slow\"} */\n"
+                          "vec3 specular(Shading s, Parameters p) {\n  float x = s.NoV;\n"
+                          "  for (int i = 0; i < 4000; ++i) for (int j = 0; j < 4000; ++j) x = fract(sin(x) * 1e4 + s.NoL);\n"
+                          "  return vec3(x);\n}\n");
+  const auto ran = glint({"render", "--models-dir", "mine", "--model", "slow", "--size", "32x32", "-o", "out.png"});
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_THAT(ran.err, testing::ContainsRegex("mine/slow.glsl: takes [0-9.]+ ms for 16 values; a picture asks for millions"));
+}
+
 TEST(ModelsCommand, TablesThatAreNotFiniteAreSaid) {
   write("mine/nan.glsl", "/*glint {\"id\": \"nan\"} */\n"
                          "vec3 specular(Shading s, Parameters p) { return vec3(s.NoV < 2.0 ? 1e38 * 1e38 : 1.0); }\n");

@@ -162,6 +162,16 @@ TEST(ModelHead, RecursionAtTheCall) {
 }
 
 // Compilers recurse over expressions and expand macros of macros: both are bounded before they see them.
+TEST(Body, ArraysAndLoopsAreSmall) {
+  EXPECT_EQ(faults(plugin("", "const int N = 8;\nfloat f(int i) { float a[N], b[3] = float[3](1.0, 2.0, 3.0); vec2 c[] = vec2[](vec2(1.0)); return a[i + 1] + b[2 * i] + c[0].x; }")), "");
+  EXPECT_EQ(faults(plugin("", "struct Knot { float at[16]; };\nfloat f(Knot k[4], int i) { return k[i].at[i * 2]; }")), "");
+  EXPECT_THAT(faults(plugin("", "float f() {\n  float a[10000000];\n  return a[3];\n}")), HasSubstr("m.glsl:6: an array of 10000000; at most 1024 are possible"));
+  EXPECT_THAT(faults(plugin("", "const int N = 100000;\nfloat f() { float a[N]; return a[3]; }")), HasSubstr("an array of 100000"));
+  EXPECT_THAT(faults(plugin("", "float f() { float a[1000 * 1000]; return a[3]; }")), HasSubstr("the size of an array is no plain number"));
+  EXPECT_THAT(faults(plugin("", "struct Big { float at[1000]; };\nfloat f(Big b) { return b.at[0]; }")), HasSubstr("at most 32 are possible of a struct, or in one"));
+  EXPECT_THAT(faults(plugin("", "float f() {\n  float x = 0.0;\n  for (int i = 0; i < 1000000000; ++i) x += 1.0;\n  return x;\n}")), HasSubstr("m.glsl:7: a loop of 1000000000"));
+}
+
 TEST(ModelHead, TextThatNoCompilerSurvives) {
   EXPECT_THAT(faults(plugin("", "float x = " + std::string(100000, '(') + "1.0" + std::string(100000, ')') + ";")),
               HasSubstr("brackets nest too deep"));
