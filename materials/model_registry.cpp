@@ -21,7 +21,8 @@ constexpr auto kYoung = std::chrono::seconds(2);
 
 }  // namespace
 
-ModelRegistry::ModelRegistry(std::vector<fs::path> folders) : folders_(std::move(folders)) {
+ModelRegistry::ModelRegistry(std::vector<fs::path> folders, std::vector<fs::path> files)
+    : folders_(std::move(folders)), single_(std::move(files)) {
   const fs::path own = configFolder() / "models";
   if (std::find(folders_.begin(), folders_.end(), own) == folders_.end()) folders_.push_back(own);
   refresh();
@@ -34,6 +35,8 @@ std::vector<fs::path> ModelRegistry::listFiles(Diagnostics& problems) const {
     const fs::path disk = shipped::onDisk(path);
     files.push_back(disk.empty() ? fs::path(path) : disk);
   }
+  for (const fs::path& file : single_)
+    if (std::error_code ignored; fs::exists(file, ignored)) files.push_back(file);
   for (const fs::path& folder : folders_) {
     std::error_code code;
     std::vector<fs::path> found;
@@ -53,7 +56,11 @@ std::vector<fs::path> ModelRegistry::listFiles(Diagnostics& problems) const {
       found.resize(kMostFiles);
     }
     for (fs::path& path : found)
-      if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(std::move(path));
+      if (std::none_of(files.begin(), files.end(), [&](const fs::path& known) {
+            std::error_code ignored;
+            return known == path || (known.filename() == path.filename() && fs::equivalent(known, path, ignored));
+          }))
+        files.push_back(std::move(path));
   }
   return files;
 }

@@ -20,7 +20,8 @@ class ModelRegistry {
   // last. Hidden files are left out; a link is followed; files over 256 KiB are an error.
   // Two files with one id: the first is used, the second is a warning that names both. Faults never stop the others:
   // see problems().
-  explicit ModelRegistry(std::vector<std::filesystem::path> folders = {});
+  // `files` are single plugins, whose folders are not looked at; they come before the folders'.
+  explicit ModelRegistry(std::vector<std::filesystem::path> folders = {}, std::vector<std::filesystem::path> files = {});
 
   // An id may also be a mix of terms, or the literature's name for one (model_mix.h), which is made at its first use. Any
   // thread may ask.
@@ -53,7 +54,7 @@ class ModelRegistry {
   Result<ModelPtr> mix(std::string_view id) const;
   std::vector<std::filesystem::path> listFiles(Diagnostics&) const;
   bool readAgain(const std::filesystem::path&, File&);
-  std::vector<std::filesystem::path> folders_;
+  std::vector<std::filesystem::path> folders_, single_;
   std::map<std::filesystem::path, File> files_;
   std::map<std::string, ModelPtr, std::less<>> models_;
   std::shared_ptr<Mixes> mixes_ = std::make_shared<Mixes>();  // by what was asked for

@@ -21,8 +21,8 @@ Diagnostics unreadable(const std::vector<fs::path>& files) {
   Diagnostics problems;
   for (const fs::path& file : files) {
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) problems.push_back(error(file.string(), "no such file"));
-    else if (!fs::is_regular_file(file, ignored)) problems.push_back(error(file.string(), "not a file"));
+    if (!fs::exists(file, ignored)) problems.push_back(error(file.string(), "no such file", "check the path"));
+    else if (!fs::is_regular_file(file, ignored)) problems.push_back(error(file.string(), "not a file", "name a material, mesh, environment, picture or plugin"));
   }
   return problems;
 }
@@ -37,7 +37,7 @@ int takeScreenshot(const Arguments& arguments, const std::vector<fs::path>& file
     log::report(context.diagnostics());
     return kNoContext;
   }
-  // A picture for a page must not depend on what the last session left.
+  // A picture for a page must not depend on what the last session left; the user's models are no session.
   options.configFolder.clear();
   UiDriver driver(**context, std::move(options), *size);
   driver.editor().openFiles(files);
@@ -55,6 +55,9 @@ int run(const Arguments& arguments) {
   const std::vector<fs::path> files(given.begin(), given.end());
   if (const Diagnostics problems = unreadable(files); !problems.empty()) return badInput(problems);
   EditorOptions options{.modelFolders = arguments.modelFolders, .configFolder = configFolder()};
+  // A plugin named here is used where it lies, so that what is written to it next is seen.
+  for (const fs::path& file : files)
+    if (file.extension() == ".glsl") options.modelFiles.push_back(fs::absolute(file));
   if (arguments.has("screenshot")) return takeScreenshot(arguments, files, std::move(options));
 
   const Session session = Session::read(options.configFolder / "editor.json");

@@ -152,6 +152,7 @@ std::string Document::title() const { return modified() ? name() + " *" : name()
 
 void Document::reset(Material material, const Preview& preview, const std::filesystem::path& file, bool project) {
   leave();
+  ++identity_;
   graphBase_ += graph_->revision() + 1;
   graph_ = std::make_unique<GraphEditor>(std::move(material));
   preview_ = preview;

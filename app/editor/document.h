@@ -54,6 +54,8 @@ class Document {
   uint64_t meaningRevision() const { return graphBase_ + graph_->meaningRevision(); }
   uint64_t graphRevision() const { return graphBase_ + graph_->revision(); }
   uint64_t previewRevision() const { return previewRevision_; }
+  // Another number for each document that was started or opened.
+  uint64_t identity() const { return identity_; }
 
   // Files. A project (any JSON of "glint": "project") is a material and a preview. A plain material's file holds the
   // graph only: its preview is kept beside the session with every step, so it needs no saving and no question. What has
@@ -97,7 +99,7 @@ class Document {
   bool previewTouched_ = false;
   Preview savedPreview_;
   bool savedMaterialKnown_ = true;   // false after recovery, so that it counts as modified
-  uint64_t graphBase_ = 0, previewRevision_ = 1;
+  uint64_t graphBase_ = 0, previewRevision_ = 1, identity_ = 1;
   std::filesystem::path file_;
   bool project_ = false;
   Journal journal_;

@@ -1,6 +1,8 @@
 #include "app/editor/editor.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 
 #include "app/editor/keys.h"
 #include "app/editor/theme.h"
@@ -39,7 +41,7 @@ Editor::Editor(gl::Context& context, EditorOptions options) : context_(context),
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   setUpKeyMap();
   renderer_ = std::make_unique<ImGuiRenderer>();
-  models_ = std::make_unique<ModelRegistry>(modelFolders(options_));
+  models_ = std::make_unique<ModelRegistry>(modelFolders(options_), options_.modelFiles);
   const bool remembers = !options_.configFolder.empty();
   document_ = std::make_unique<Document>(nodes_, options_.configFolder);
   for (const PanelInfo& info : panelTable()) panels_.push_back(info.make());
@@ -181,8 +183,14 @@ void Editor::postRequest() {
     ++materialRevision_;
   }
   posted_ = now;
-  render_->post({.serial = ++serial_, .material = postedMaterial_, .materialRevision = materialRevision_,
-                 .preview = document_->preview(), .models = models_->all(), .modelsRevision = modelsRevision_,
+  std::map<std::string, ModelPtr> named;
+  const auto ask = [&](const std::string& id) {
+    if (ModelPtr found = models_->find(id)) named[id] = std::move(found);
+  };
+  for (const std::string& id : document_->preview().models) ask(id);
+  ask(document_->material().model);
+  render_->post({.serial = ++serial_, .material = postedMaterial_, .document = document_->identity(), .materialRevision = materialRevision_,
+                 .preview = document_->preview(), .models = models_->all(), .named = std::move(named), .modelsRevision = modelsRevision_,
                  .size = viewportSize_, .scale = theme::scale(), .dragging = held, .wantCode = wantCode_});
 }
 
@@ -270,8 +278,29 @@ void Editor::openDocumentFile(const fs::path& file) {
 void Editor::addTexture(const fs::path& file, std::optional<Position> at) {
   const Material& material = document_->material();
   Position where = at.value_or(Position{-420, 0});
-  if (!at)
-    for (const auto& [id, position] : material.layout) where.y = std::max(where.y, position.y + 180);
+  if (!at) {
+    // The free place nearest to the left of the output; sizes are the canvas's to know, so about those of a node.
+    constexpr float kWidth = 220, kHeight = 190, kOutputHeight = 380, kStep = 24;
+    const NodeId output = material.outputNode();
+    if (const auto found = material.layout.find(output); found != material.layout.end()) where = {found->second.x - 260, found->second.y};
+    const auto covered = [&](Position p) {
+      return std::any_of(material.layout.begin(), material.layout.end(), [&](const auto& item) {
+        const float below = p.y - item.second.y;
+        return std::abs(item.second.x - p.x) < kWidth && below > -kHeight && below < (item.first == output ? kOutputHeight : kHeight);
+      });
+    };
+    Position best = where;
+    float nearest = FLT_MAX;
+    for (int x = -20; x <= 10; ++x)
+      for (int y = -40; y <= 40; ++y) {
+        const Position place{where.x + float(x) * kStep, where.y + float(y) * kStep};
+        const float distance = std::hypot(float(x), float(y));
+        if (distance >= nearest || covered(place)) continue;
+        nearest = distance;
+        best = place;
+      }
+    where = best;
+  }
   NodeId made;
   refused(document_->edit("Add texture", [&](GraphEditor& graph) {
     graph.beginGesture("Add texture " + file.filename().string());
@@ -281,7 +310,10 @@ void Editor::addTexture(const fs::path& file, std::optional<Position> at) {
     else graph.cancelGesture();
     return refusal;
   }));
-  if (!made.empty()) selection_ = {made};
+  if (!made.empty()) {
+    selection_ = {made};
+    revealed_ = made;
+  }
   layout_.show("Graph");
 }
 
@@ -290,6 +322,17 @@ void Editor::installModel(const fs::path& file) {
   if (!text) return say(text.diagnostics().front().text(), true);
   auto model = parseModel(file, text.value());
   if (!model) return say(model.diagnostics().front().text(), true);
+  const auto compare = [&] {
+    Preview preview = document_->preview();
+    if (std::find(preview.models.begin(), preview.models.end(), model->id) != preview.models.end()) return;
+    preview.models.push_back(model->id);
+    document_->setPreview("Compare " + model->title, preview);
+  };
+  std::error_code ignored;
+  if (const ModelPtr known = models_->find(model->id); known && fs::equivalent(known->file, file, ignored)) {
+    compare();
+    return say("Comparing " + model->id + ", from " + file.string());
+  }
   if (options_.configFolder.empty()) return say("this editor has no folder for models; start it with --models-dir", true);
   const fs::path target = options_.configFolder / "models" / file.filename();
   std::error_code problem;
@@ -297,11 +340,7 @@ void Editor::installModel(const fs::path& file) {
   const Diagnostics problems = writeFileAtomic(target, text.value());
   if (!problems.empty()) return say(problems.front().text(), true);
   if (models_->refresh()) ++modelsRevision_;
-  Preview preview = document_->preview();
-  if (std::find(preview.models.begin(), preview.models.end(), model->id) == preview.models.end()) {
-    preview.models.push_back(model->id);
-    document_->setPreview("Compare " + model->title, preview);
-  }
+  compare();
   say("Installed model " + model->id + " to " + target.string());
 }
 

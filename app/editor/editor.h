@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editor/document.h"
@@ -27,6 +28,7 @@ class Panel;
 
 struct EditorOptions {
   std::vector<std::filesystem::path> modelFolders;  // beside the user's own
+  std::vector<std::filesystem::path> modelFiles;    // single plugins, whatever else lies in their folders
   std::filesystem::path configFolder;               // empty: nothing is remembered and no journal kept
   float scale = 1;                                  // framebuffer pixels a UI unit
   std::function<void()> wake;                       // from any thread: something is to be drawn
@@ -74,6 +76,8 @@ class Editor {
   std::set<NodeId>& selection() { return selection_; }
   void setViewportSize(glm::ivec2 size) { viewportSize_ = size; }
   void wantCode() { wantCode_ = true; }
+  // A node that was added somewhere else, for the graph to bring into view; asked for once.
+  NodeId takeRevealed() { return std::exchange(revealed_, {}); }
   void frameSubject();                        // the camera goes where all of it is seen
   // Everything that is wrong now: models, nodes, the material, the scene, the last frame.
   const Diagnostics& problems() const { return problems_; }
@@ -129,6 +133,7 @@ class Editor {
   std::vector<std::unique_ptr<Panel>> panels_;
 
   std::set<NodeId> selection_;
+  NodeId revealed_;
   glm::ivec2 viewportSize_{0};
   bool wantCode_ = false;
   std::string framedSubject_;

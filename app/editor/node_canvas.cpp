@@ -105,6 +105,15 @@ void NodeCanvas::showReadable(ImVec2 low, ImVec2 high, ImVec2 focus) {
   origin_ = {place(low.x, high.x, focus.x, (high_.x - low_.x) / unit()), place(low.y, high.y, focus.y, (high_.y - low_.y) / unit())};
 }
 
+void NodeCanvas::reveal(ImVec2 low, ImVec2 high) {
+  constexpr float kEdge = 16;
+  const auto along = [](float origin, float from, float to, float room) {
+    const float least = to + kEdge - room / 2, most = from - kEdge + room / 2;  // of an origin that shows it
+    return least > most ? (from + to) / 2 : std::clamp(origin, least, most);
+  };
+  origin_ = {along(origin_.x, low.x, high.x, (high_.x - low_.x) / unit()), along(origin_.y, low.y, high.y, (high_.y - low_.y) / unit())};
+}
+
 NodeShape NodeCanvas::measure(const NodeId& id, const Node& node, const Material& material, const GraphContext& context) const {
   NodeShape shape;
   const auto place = material.layout.find(id);

@@ -43,6 +43,7 @@ class NodeCanvas {
   void show(ImVec2 low, ImVec2 high);          // frames a part of the sheet
   // The same, but never smaller than text can be read at: what does not fit is a drag away, `focus` is seen.
   void showReadable(ImVec2 low, ImVec2 high, ImVec2 focus);
+  void reveal(ImVec2 low, ImVec2 high);        // pans as little as brings a part of the sheet into view
   bool placed() const { return placed_; }
 
   // Size and pins of a node, which need not be in the material.

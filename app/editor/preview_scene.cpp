@@ -17,6 +17,15 @@ void append(Diagnostics& to, const Diagnostics& from) {
     if (std::find(to.begin(), to.end(), d) == to.end()) to.push_back(d);
 }
 
+std::string firstFault(const Diagnostics& problems) {
+  for (const Diagnostic& d : problems)
+    if (d.severity == Severity::Error) return d.what;
+  return {};
+}
+
+// Slots of surfaces that are the edited material's.
+constexpr const char *kEdited = "edited", *kSweep = "sweep";
+
 fs::file_time_type timeOf(const std::string& file) {
   std::error_code ignored;
   const auto time = fs::last_write_time(file, ignored);
@@ -88,7 +97,14 @@ void PreviewScene::update(const FrameRequest& request) {
   graphOk = true;
   meshMaterials.clear();
   usedSurfaces_.clear();
+  states.clear();
+  ownRow = -1;
   if (textures_.refresh()) surfaces_.clear();
+  if (document_ != request.document) {
+    document_ = request.document;
+    std::erase_if(surfaces_, [](const auto& item) { return item.first.starts_with(kEdited) || item.first.starts_with(kSweep); });
+    code.clear();
+  }
   const Preview& preview = request.preview;
   loadEnvironmentOf(preview);
   Scene stage;
@@ -118,6 +134,7 @@ void PreviewScene::update(const FrameRequest& request) {
 }
 
 ModelPtr PreviewScene::model(const FrameRequest& request, const std::string& id, const std::string& place) {
+  if (const auto found = request.named.find(id); found != request.named.end()) return found->second;
   std::vector<std::string> known;
   for (const ModelPtr& one : request.models) {
     if (one->id == id) return one;
@@ -128,7 +145,7 @@ ModelPtr PreviewScene::model(const FrameRequest& request, const std::string& id,
 }
 
 const SurfaceMaterial* PreviewScene::surface(const std::string& slot, const MaterialPtr& material, uint64_t revision,
-                                             const ModelPtr& model, const std::vector<Setting>& settings) {
+                                             const ModelPtr& model, const std::vector<Setting>& settings, State& state) {
   usedSurfaces_.insert(slot);
   Surface& kept = surfaces_[slot];
   std::vector<std::pair<std::string, std::string>> given;
@@ -138,6 +155,7 @@ const SurfaceMaterial* PreviewScene::surface(const std::string& slot, const Mate
     kept.modelHash = model->hash;
     kept.settings = given;
     kept.problems.clear();
+    kept.fault.clear();
     std::vector<Setting> taken;
     for (const Setting& setting : settings)
       if (takesSetting(*material, *model, setting.name)) taken.push_back(setting);
@@ -148,10 +166,12 @@ const SurfaceMaterial* PreviewScene::surface(const std::string& slot, const Mate
       kept.good = true;
     } else {
       append(kept.problems, made.diagnostics());
+      kept.fault = firstFault(made.diagnostics());
       graphOk = false;
     }
   }
   append(problems, kept.problems);
+  if (!kept.fault.empty()) state = {kept.good ? State::LastGood : State::NotDrawn, kept.fault};
   return kept.good ? &kept.surface : nullptr;
 }
 
@@ -198,13 +218,17 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
     const Sweep sweep{preview.sweepName, preview.sweepFrom, preview.sweepTo, std::clamp(preview.sweepCount, 1, 16)};
     for (int i = 0; i < sweep.count; ++i)
       columns.push_back({{sweep.name + " " + sweep.title(i), ""}, request.material, request.materialRevision,
-                         {{sweep.name, fmt::format("{}", sweep.value(i))}}, "sweep" + std::to_string(i)});
+                         {{sweep.name, fmt::format("{}", sweep.value(i))}}, kSweep + std::to_string(i)});
   } else {
-    columns.push_back({{request.material->name, "edited"}, request.material, request.materialRevision, {}, "edited"});
+    columns.push_back({{request.material->name, "edited"}, request.material, request.materialRevision, {}, kEdited});
     for (const std::string& name : preview.materials) {
       const MaterialPtr loaded = material(name);
+      if (!loaded) {
+        columns.push_back({{fs::path(name).stem().string(), fs::path(name).filename().string()}, nullptr, 0, {}, name});
+        continue;
+      }
       // Its revision is its identity: a changed file is another object.
-      if (loaded) columns.push_back({{loaded->name, name == loaded->name ? "library" : fs::path(name).filename().string()}, loaded, reinterpret_cast<uintptr_t>(loaded.get()), {}, "file " + name});
+      columns.push_back({{loaded->name, name == loaded->name ? "library" : fs::path(name).filename().string()}, loaded, reinterpret_cast<uintptr_t>(loaded.get()), {}, "file " + name});
     }
   }
   // The material as it is, whichever models it is compared in.
@@ -220,7 +244,6 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
                               "choose an attribute, or a parameter of the material or of a model")});
   }
 
-  ownRow = -1;
   Comparison made;
   made.camera = preview.comparisonOrbit.camera(1);
   std::vector<ColumnName> names;
@@ -228,20 +251,21 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
   made.columnTitles = distinctTitles(names);
   for (const std::string& id : ids) {
     const ModelPtr shading = model(request, id, id == request.material->model ? request.material->place() : "comparison");
-    if (!shading) continue;
-    std::vector<Scene> row;
+    if (id == request.material->model) ownRow = made.rows();
+    made.rowTitles.push_back(shading ? shading->title : id);
     for (const Column& column : columns) {
       Scene cell = stage;
-      const SurfaceMaterial* drawn = surface(column.slot + " on " + id, column.material, column.revision, shading, column.settings);
+      State& state = states.emplace_back();
+      const SurfaceMaterial* drawn = nullptr;
+      if (!shading) state = {State::NotDrawn, "unknown shading model '" + id + "'"};
+      else if (!column.material) state = {State::NotDrawn, firstFault(materials_[column.slot].problems)};
+      else drawn = surface(column.slot + " on " + id, column.material, column.revision, shading, column.settings, state);
       if (drawn) {
         cell.materials.push_back(*drawn);
         cell.instances.push_back({sphere, glm::mat4(1), 0});
       }
-      row.push_back(std::move(cell));
+      made.scenes.push_back(std::move(cell));
     }
-    if (id == request.material->model) ownRow = made.rows();
-    made.rowTitles.push_back(shading->title);
-    for (Scene& cell : row) made.scenes.push_back(std::move(cell));
   }
   cells = std::move(made);
   center = glm::vec3(0);
@@ -276,13 +300,21 @@ void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
     }
   }
   const bool own = preview.ownMaterials && !meshMaterials.empty();
+  // The worst of what its materials are is what the picture is.
+  State& whole = states.emplace_back();
+  const auto draw = [&](const std::string& slot, const MaterialPtr& material, uint64_t revision) {
+    State state;
+    const SurfaceMaterial* drawn = nullptr;
+    if (const ModelPtr shading = model(request, material->model, material->place())) drawn = surface(slot, material, revision, shading, {}, state);
+    else state = {State::NotDrawn, "unknown shading model '" + material->model + "'"};
+    if (state.kind > whole.kind) whole = state;
+    return drawn;
+  };
   for (size_t i = 0; own && i < meshMaterials.size(); ++i) {
     const bool edited = static_cast<int>(i) == preview.editedSlot;
     const MaterialPtr& material = edited ? request.material : meshMaterials[i];
-    const ModelPtr shading = model(request, material->model, material->place());
     const uint64_t revision = edited ? request.materialRevision : reinterpret_cast<uintptr_t>(material.get());
-    const SurfaceMaterial* drawn =
-        shading ? surface(edited ? "edited" : "mesh " + std::to_string(i), material, revision, shading, {}) : nullptr;
+    const SurfaceMaterial* drawn = draw(edited ? kEdited : "mesh " + std::to_string(i), material, revision);
     built.materials.push_back(drawn ? *drawn : SurfaceMaterial{});
     if (!drawn) built.instances.clear();
     if (i < gltf_->doubleSided.size()) built.materials.back().doubleSided = gltf_->doubleSided[i];
@@ -290,9 +322,7 @@ void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
   }
   if (!own) {
     for (Instance& instance : built.instances) instance.material = 0;
-    const ModelPtr shading = model(request, request.material->model, request.material->place());
-    const SurfaceMaterial* drawn =
-        shading ? surface("edited", request.material, request.materialRevision, shading, {}) : nullptr;
+    const SurfaceMaterial* drawn = draw(kEdited, request.material, request.materialRevision);
     if (drawn) built.materials.push_back(*drawn);
     else built.instances.clear();
   }

@@ -24,9 +24,11 @@ namespace glint {
 struct FrameRequest {
   uint64_t serial = 0;
   MaterialPtr material;             // the edited one
+  uint64_t document = 0;            // whose it is: another document's pictures are none of it
   uint64_t materialRevision = 0;    // of its meaning
   Preview preview;
   std::vector<ModelPtr> models;     // all that are registered
+  std::map<std::string, ModelPtr> named;  // what is asked for, by the name it is asked for with: mixes too
   uint64_t modelsRevision = 0;      // grows when a plugin's file changed
   glm::ivec2 size{0};               // of the viewport, framebuffer pixels
   float scale = 1;                  // framebuffer pixels a UI unit: for the room that labels take
@@ -44,7 +46,13 @@ class PreviewScene {
 
   bool comparison = false;
   Comparison cells;                 // when comparison
-  int ownRow = -1;                  // the one whose model is the edited material's; -1: its model is unknown
+  int ownRow = -1;                  // the one whose model is the edited material's; -1 when not a comparison
+  // What stands in each cell (row by row), or in the whole picture.
+  struct State {
+    enum { Drawn, LastGood, NotDrawn } kind = Drawn;
+    std::string why;                // when not Drawn: the first fault
+  };
+  std::vector<State> states;
   Scene scene;                      // else
   glm::vec3 center{0};              // of what is seen
   float radius = 1;
@@ -62,8 +70,9 @@ class PreviewScene {
     Diagnostics problems;
   };
   ModelPtr model(const FrameRequest&, const std::string& id, const std::string& place);
+  // Null when there is none to draw; `state` is set.
   const SurfaceMaterial* surface(const std::string& slot, const MaterialPtr&, uint64_t revision, const ModelPtr&,
-                                 const std::vector<Setting>&);
+                                 const std::vector<Setting>&, State& state);
   MaterialPtr material(const std::string& nameOrFile);
   void loadEnvironmentOf(const Preview&);
   void buildComparison(const FrameRequest&, const Scene& stage);
@@ -76,6 +85,7 @@ class PreviewScene {
     uint64_t revision = 0, modelHash = 0;
     std::vector<std::pair<std::string, std::string>> settings;
     bool good = false;
+    std::string fault;    // why it is not what was asked for
     SurfaceMaterial surface;
     Diagnostics problems;
   };
@@ -91,7 +101,7 @@ class PreviewScene {
   std::filesystem::file_time_type gltfTime_{};
   std::optional<LoadedMesh> gltf_;
   Diagnostics gltfProblems_;
-  uint64_t codeRevision_ = 0, codeModel_ = 0;
+  uint64_t codeRevision_ = 0, codeModel_ = 0, document_ = 0;
 };
 
 // What stands over the columns, each told from the others: where names are alike, what is particular to each follows.

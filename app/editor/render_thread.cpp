@@ -180,6 +180,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.rowTitles = scene.cells.rowTitles;
   result.columnTitles = scene.cells.columnTitles;
   result.ownRow = scene.ownRow;
+  result.states = scene.states;
   result.center = scene.center;
   result.radius = scene.radius;
   result.subject = scene.subject;

@@ -25,6 +25,7 @@ struct FrameResult {
   glm::ivec2 layoutSize{0};
   std::vector<std::string> rowTitles, columnTitles;
   int ownRow = -1;                  // PreviewScene::ownRow
+  std::vector<PreviewScene::State> states;
   glm::vec3 center{0};
   float radius = 1;
   std::string subject;

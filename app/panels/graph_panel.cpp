@@ -24,6 +24,9 @@ void GraphPanel::draw(Editor& editor) {
     else frame();
     frameWanted_ = false;
   }
+  if (size.x > 40 && size.y > 40)
+    if (const NodeShape* shape = canvas_.shape(editor.takeRevealed()))
+      canvas_.reveal(shape->position, {shape->position.x + shape->size.x, shape->position.y + shape->size.y});
 
   ImGui::InvisibleButton("canvas", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                              ImGuiButtonFlags_MouseButtonMiddle);
@@ -113,8 +116,8 @@ void GraphPanel::refresh(Editor& editor) {
     } else {
       fallback_.clear();
     }
-    if (document.steps().empty() && framedName_ != material.name + document.file().string()) {
-      framedName_ = material.name + document.file().string();
+    if (framed_ != document.identity()) {
+      framed_ = document.identity();
       frameWanted_ = first_ = true;
     }
     laidOut_ = document.graphRevision();

@@ -67,7 +67,7 @@ class GraphPanel final : public Panel {
   std::map<PinRef, ValueType> types_;
   std::map<NodeId, std::string> errors_;
   std::map<NodeId, Position> fallback_;
-  std::string framedName_;
+  uint64_t framed_ = 0;               // Document::identity()
 
   Mode mode_ = Mode::None;
   ImVec2 pressed_{}, last_{};

@@ -40,6 +40,7 @@ class ModelsPanel final : public Panel {
       if (open_ == model->id) details(editor, *model);
       ImGui::PopID();
     }
+    drawOthers(editor);
     const Diagnostics& problems = editor.models().problems();
     if (problems.empty()) return;
     ImGui::Dummy({0, theme::px(4)});
@@ -47,6 +48,28 @@ class ModelsPanel final : public Panel {
   }
 
  private:
+  // Rows of the comparison that are no files: mixes of terms, and models whose file is gone, which can be left out.
+  static void drawOthers(Editor& editor) {
+    Document& document = editor.document();
+    const auto ids = editor.models().ids();
+    for (const std::string& id : std::vector<std::string>(document.preview().models)) {
+      if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
+      const ModelPtr mix = editor.models().find(id);
+      ImGui::PushID(id.c_str());
+      bool compared = true;
+      if (ui::checkbox(id, compared)) {
+        Preview preview = document.preview();
+        std::erase(preview.models, id);
+        document.setPreview("Leave out " + id, preview);
+      }
+      ImGui::SameLine();
+      if (!mix) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+      ui::row("row " + id, mix ? mix->title : id, mix ? "a mix of terms" : "missing", false);
+      if (!mix) ImGui::PopStyleColor();
+      ui::tooltip(mix ? mix->doc : "No file has this model any more: untick it, or put its file back");
+      ImGui::PopID();
+    }
+  }
   void details(Editor& editor, const ShadingModel& model) {
     ImGui::Indent();
     ui::textDim(model.doc);

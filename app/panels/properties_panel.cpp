@@ -83,6 +83,13 @@ class PropertiesPanel final : public Panel {
       docs.push_back(all[i]->doc);
       if (all[i]->id == material.model) index = int(i);
     }
+    // A mix of terms is a model without a file.
+    const ModelPtr now = editor.models().find(material.model);
+    if (index < 0 && now) {
+      index = int(titles.size());
+      titles.push_back(now->title);
+      docs.push_back(now->doc);
+    }
     ui::beginProperty("Model", index >= 0 ? docs[size_t(index)] : "No model of that id is registered");
     if (index < 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
     const bool chosen = ui::choice("Model", index, titles, docs);
@@ -91,7 +98,7 @@ class PropertiesPanel final : public Panel {
       ui::textDim(material.model + " is not registered");
     }
     ui::endProperty();
-    if (chosen) {
+    if (chosen && size_t(index) < all.size()) {
       const std::string id = all[size_t(index)]->id;
       editor.refused(document.edit("Model " + id, [&](GraphEditor& graph) { return graph.setModel(id); }));
     }

@@ -23,6 +23,7 @@ class ViewportPanel final : public Panel {
   void toolbar(Editor&);
   void picture(Editor&, ImVec2 low, ImVec2 size);
   void titles(const FrameResult&, ImVec2 low, ImVec2 size);
+  static void states(const FrameResult&, ImVec2 low);
   void control(Editor&, ImVec2 low, ImVec2 size, bool hovered);
   static void magnify(const FrameResult&, Orbit&, ImVec2 mouse, float factor);
   Drag drag_ = Drag::None;
@@ -168,6 +169,7 @@ void ViewportPanel::picture(Editor& editor, ImVec2 low, ImVec2 size) {
     const ImVec2 end = {low.x + float(frame.layoutSize.x), low.y + float(frame.layoutSize.y)};
     list.PushClipRect(low, high, true);
     list.AddImage(imguiTexture(frame.texture), low, end, {0, 1}, {1, 0});
+    states(frame, low);
     if (frame.comparison) titles(frame, low, size);
     list.PopClipRect();
   }
@@ -183,6 +185,38 @@ void ViewportPanel::picture(Editor& editor, ImVec2 low, ImVec2 size) {
     const float fraction = progress ? float(std::clamp(progress->fraction, 0.0, 1.0)) : 0;
     list.AddRectFilled({at.x, y}, {at.x + text.x, y + theme::px(2)}, theme::grey(60));
     list.AddRectFilled({at.x, y}, {at.x + text.x * fraction, y + theme::px(2)}, theme::kAccent);
+  }
+}
+
+// Over what is not what its title says: that it was not drawn, or is the last that could be, and why.
+void ViewportPanel::states(const FrameResult& frame, ImVec2 low) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const CellGrid& grid = frame.layout.grid;
+  ImFont *bold = ui::fonts().bold(), *small = ui::fonts().small();
+  for (size_t i = 0; i < frame.states.size(); ++i) {
+    const PreviewScene::State& state = frame.states[i];
+    if (state.kind == PreviewScene::State::Drawn || (frame.comparison && grid.columns == 0)) continue;
+    ImVec2 from = low, to = {low.x + float(frame.layoutSize.x), low.y + float(frame.layoutSize.y)};
+    if (frame.comparison) {
+      const glm::ivec4 cell = grid.rectangle(int(i) / grid.columns, int(i) % grid.columns);
+      from = {low.x + float(cell.x), low.y + float(frame.layoutSize.y - cell.y - cell.w)};
+      to = {from.x + float(cell.z), from.y + float(cell.w)};
+    }
+    const bool missing = state.kind == PreviewScene::State::NotDrawn;
+    const std::string head = missing ? "Not drawn" : "Last good one";
+    const float margin = theme::px(8), room = std::min(to.x - from.x - 2 * margin, theme::px(360));
+    if (room < theme::px(8)) continue;
+    const ImVec2 wrapped = small->CalcTextSizeA(small->FontSize, FLT_MAX, room, state.why.c_str());
+    const float height = bold->FontSize + theme::px(4) + wrapped.y;
+    list.PushClipRect(from, to, true);
+    if (missing) list.AddRectFilled(from, to, theme::grey(24));
+    const ImVec2 at = {from.x + (to.x - from.x - room) / 2, missing ? std::max(from.y + margin, (from.y + to.y - height) / 2) : std::max(from.y, to.y - height - 2 * margin) + margin};
+    if (!missing) list.AddRectFilled({from.x, at.y - margin}, to, theme::grey(20, 215));
+    list.AddText(bold, bold->FontSize, at, missing ? theme::kError : theme::kWarning, ui::elided(head, room, bold).c_str());
+    list.AddText(small, small->FontSize, {at.x, at.y + bold->FontSize + theme::px(4)}, theme::kText, state.why.c_str(), nullptr, room);
+    list.PopClipRect();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to) && height > to.y - from.y) ImGui::SetTooltip("%s: %s", head.c_str(), state.why.c_str());
+    ui::markRect((missing ? "not drawn:" : "last good:") + std::to_string(i), from, to);
   }
 }
 

@@ -350,6 +350,92 @@ TEST_F(EditorTest, TheMaterialsOwnModelIsAlwaysARow) {
   begin();
 }
 
+// What stands under a material's name is that material, or says that it is not.
+TEST_F(EditorTest, AMaterialThatCannotBeDrawnSaysSo) {
+  begin();
+  Preview preview = document().preview();
+  preview.subject = Preview::Subject::Comparison;
+  preview.models = {"ggx", "gone-model"};
+  preview.materials = {"black"};
+  document().startNew(newMaterial("sound"), preview);
+  ASSERT_TRUE(ui().settle());
+  using State = PreviewScene::State;
+  const auto states = [&] {
+    std::vector<int> kinds;
+    for (const State& state : ui().editor().shown().states) kinds.push_back(state.kind);
+    return kinds;
+  };
+  EXPECT_EQ(states(), (std::vector<int>{State::Drawn, State::Drawn, State::NotDrawn, State::NotDrawn}));
+  // A model that is gone keeps its place in the list, so that it can be left out.
+  ui().editor().layout().show("Models");
+  ui().frames(3);
+  ASSERT_TRUE(ui().has("Models/gone-model"));
+  ui().click("Models/gone-model");
+  EXPECT_EQ(document().preview().models, std::vector<std::string>{"ggx"});
+
+  std::ofstream(folder() / "cycle.json") << R"({"glint": "material", "version": 1, "name": "round", "nodes": {
+    "a": {"kind": "add", "inputs": {"a": {"from": "b.result"}}}, "b": {"kind": "add", "inputs": {"a": {"from": "a.result"}}},
+    "output": {"kind": "output", "inputs": {"roughness": {"from": "a.result"}}}}})";
+  document().startNew(newMaterial("sound"), document().preview());  // nothing to be asked about
+  ui().editor().openFile(folder() / "cycle.json");
+  ASSERT_TRUE(ui().settle());
+  ASSERT_EQ(document().material().name, "round");
+  EXPECT_EQ(states(), (std::vector<int>{State::NotDrawn, State::Drawn}));
+  EXPECT_FALSE(ui().editor().shown().states[0].why.empty());
+  EXPECT_TRUE(ui().has("Viewport/not drawn:0"));
+  EXPECT_FALSE(ui().has("Viewport/not drawn:1"));
+
+  // The same material's last good picture stays, and is called so.
+  document().startNew(newMaterial("sound"), document().preview());
+  ASSERT_TRUE(ui().settle());
+  document().edit("Model", [](GraphEditor& graph) {
+    NodeId made;
+    graph.addNode("texture-sample", {-300, 0}, &made);
+    graph.setSetting(made, "file", Json::of("not-there.png"));
+    return graph.connect({made, "rgb"}, {graph.material().outputNode(), "baseColor"});
+  });
+  ASSERT_TRUE(ui().settle());
+  EXPECT_EQ(states(), (std::vector<int>{State::LastGood, State::Drawn}));
+  EXPECT_TRUE(ui().has("Viewport/last good:0"));
+  begin();
+}
+
+TEST_F(EditorTest, AMixOfTermsIsAModel) {
+  fs::create_directories(folder() / "config" / "models");
+  begin();
+  Preview preview = document().preview();
+  preview.subject = Preview::Subject::Comparison;
+  preview.models = {"ggx"};
+  preview.materials.clear();
+  Material material = newMaterial("mixed");
+  material.model = "Beckmann*SmithGGX*Schlick";
+  document().startNew(material, preview);
+  ASSERT_TRUE(ui().settle());
+  EXPECT_TRUE(ui().editor().problems().empty()) << ui().editor().problems()[0].text();
+  EXPECT_EQ(ui().editor().shown().ownRow, 1);
+  EXPECT_EQ(ui().editor().shown().states[1].kind, PreviewScene::State::Drawn);
+  begin();
+}
+
+// A picture dropped anywhere on the window becomes a node that is seen.
+TEST_F(EditorTest, ADroppedPictureIsInView) {
+  begin();
+  auto material = loadMaterial("painted-metal", ui().editor().nodes());
+  ASSERT_TRUE(material);
+  document().startNew(*material, document().preview());
+  ui().frames(4);
+  ASSERT_TRUE(writeImage8(folder() / "seen.png", Image8(8, 8, 3)).empty());
+  ui().editor().openFile(folder() / "seen.png");
+  ui().frames(4);
+  ASSERT_EQ(ui().editor().selection().size(), 1u);
+  const ui::Rect canvas = ui().rect("Graph/canvas"), node = ui().rect("Graph/node:" + *ui().editor().selection().begin());
+  EXPECT_GT(node.low.x, canvas.low.x);
+  EXPECT_LT(node.high.x, canvas.high.x);
+  EXPECT_GT(node.low.y, canvas.low.y);
+  EXPECT_LT(node.high.y, canvas.high.y);
+  begin();
+}
+
 TEST_F(EditorTest, NewNodesLieFreeAndOneDroppedOnAWireIsOneStep) {
   begin();
   for (int i = 0; i < 3; ++i) addNode("constant");

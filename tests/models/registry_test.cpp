@@ -117,6 +117,18 @@ TEST_F(Registry, OtherFilesAreLeftAlone) {
   EXPECT_TRUE(registry().problems().empty());
 }
 
+// A plugin named by itself: its neighbours are none of our business.
+TEST_F(Registry, ASingleFileIsReadAlone) {
+  write("a/mine.glsl", plugin("mine"));
+  write("a/neighbour.glsl", "no plugin");
+  const ModelRegistry alone({}, {folder_ / "a/mine.glsl"});
+  EXPECT_TRUE(alone.find("mine"));
+  EXPECT_TRUE(alone.problems().empty());
+  const ModelRegistry twice({folder_ / "b/../a"}, {folder_ / "a/mine.glsl"});
+  ASSERT_EQ(twice.problems().size(), 1u) << "it is not in its own way";
+  EXPECT_THAT(twice.problems()[0].place, HasSubstr("neighbour"));
+}
+
 TEST_F(Registry, FaultsDoNotStopTheOthers) {
   write("a/bad.glsl", "no head");
   write("a/huge.glsl", std::string(2 << 20, ' '));
