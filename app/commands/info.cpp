@@ -6,9 +6,46 @@
 #include "app/command.h"
 #include "materials/base/files.h"
 #include "materials/base/log.h"
+#include "renderer/gl/gl.h"
 
 namespace glint {
 namespace {
+
+using nlohmann::ordered_json;
+
+struct Limit {
+  const char* name;
+  GLenum query;
+};
+// What bounds the pictures, graphs and models that can be drawn here.
+constexpr Limit kLimits[] = {
+    {"maxTextureSize", GL_MAX_TEXTURE_SIZE},
+    {"maxCubeMapSize", GL_MAX_CUBE_MAP_TEXTURE_SIZE},
+    {"maxFramebufferWidth", GL_MAX_FRAMEBUFFER_WIDTH},
+    {"maxColorAttachments", GL_MAX_COLOR_ATTACHMENTS},
+    {"maxTextureUnits", GL_MAX_TEXTURE_IMAGE_UNITS},
+    {"maxUniformBlockBytes", GL_MAX_UNIFORM_BLOCK_SIZE},
+    {"maxTextureBufferTexels", GL_MAX_TEXTURE_BUFFER_SIZE},
+    {"maxComputeGroupSize", GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS},
+};
+
+ordered_json limits() {
+  ordered_json found = ordered_json::object();
+  for (const Limit& limit : kLimits) {
+    GLint value = 0;
+    glGetIntegerv(limit.query, &value);
+    found[limit.name] = value;
+  }
+  return found;
+}
+
+// What is done otherwise than on a GPU, or for all because some driver needs it, and why.
+ordered_json workarounds(const gl::Context::Info& info) {
+  ordered_json list = {"lists of lights are read from texture buffers: software rasterisers read storage buffers pixel by pixel",
+                       "patterns have no loops: a dozen in one shader keep LLVM from ending"};
+  if (info.software) list.push_back("the editor stops refining a still picture early: every sample is paid by the processor");
+  return list;
+}
 
 int run(const Arguments& arguments) {
   auto context = gl::Context::create({.backend = arguments.backend});
@@ -17,24 +54,26 @@ int run(const Arguments& arguments) {
     return kNoContext;
   }
   const gl::Context::Info& info = (*context)->info();
-  const std::vector<std::pair<std::string, std::string>> facts = {
-      {"glint", GLINT_VERSION},
-      {"backend", std::string(gl::name((*context)->backend()))},
-      {"vendor", info.vendor},
-      {"renderer", info.renderer},
-      {"version", info.version},
-      {"glsl", info.glsl},
-      {"software", info.software ? "yes" : "no"},
-      {"maxTextureSize", std::to_string(info.maxTextureSize)},
-      {"cache", cacheFolder().string()},
-      {"configuration", configFolder().string()},
-  };
+  const ordered_json document = {{"glint", GLINT_VERSION},
+                                 {"backend", gl::name((*context)->backend())},
+                                 {"vendor", info.vendor},
+                                 {"renderer", info.renderer},
+                                 {"version", info.version},
+                                 {"glsl", info.glsl},
+                                 {"software", info.software},
+                                 {"limits", limits()},
+                                 {"workarounds", workarounds(info)},
+                                 {"cache", cacheFolder().string()},
+                                 {"configuration", configFolder().string()}};
   if (arguments.json) {
-    nlohmann::ordered_json document;
-    for (const auto& [key, value] : facts) document[key] = value;
-    fmt::print("{}\n", document.dump(2));
-  } else {
-    for (const auto& [key, value] : facts) fmt::print("{:<16}{}\n", key, value);
+    fmt::print("{}\n", document.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+    return kDone;
+  }
+  const auto text = [](const ordered_json& value) { return value.is_string() ? value.get<std::string>() : value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.dump(); };
+  for (const auto& [key, value] : document.items()) {
+    if (!value.is_structured()) fmt::print("{:<24}{}\n", key, text(value));
+    else
+      for (const auto& [name, part] : value.items()) fmt::print("{:<24}{}\n", value.is_array() ? key : name, text(part));
   }
   return kDone;
 }

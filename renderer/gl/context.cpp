@@ -71,7 +71,6 @@ void Context::loadFunctions(void* (*getProcAddress)(const char*)) {
   info_.glsl = text(GL_SHADING_LANGUAGE_VERSION);
   info_.software = info_.renderer.find("llvmpipe") != std::string::npos ||
                    info_.renderer.find("softpipe") != std::string::npos;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info_.maxTextureSize);
   functionsLoaded_ = true;
   setStandardState();
 }

@@ -44,7 +44,6 @@ class Context {
   struct Info {
     std::string vendor, renderer, version, glsl;
     bool software = false;   // a CPU rasteriser: costs differ (platform.md 5)
-    int maxTextureSize = 0;
   };
   const Info& info() const { return info_; }
 

@@ -45,6 +45,8 @@ TEST(CommandLine, CommonOptionsStandOnEitherSide) {
     const auto document = ran.json();
     ASSERT_TRUE(document.is_object()) << ran.out;
     EXPECT_EQ(document.value("backend", ""), "osmesa");
+    EXPECT_TRUE(document["software"].is_boolean() && document["workarounds"].is_array());
+    EXPECT_GE(document["limits"].value("maxTextureSize", 0), 8192);
   }
 }
 
