@@ -133,9 +133,11 @@ TEST_F(ModelNumbers, DirectionalAlbedo) {
 TEST_F(ModelNumbers, DistributionsIntegrateToOne) {
   std::vector<IntegralQuery> queries;
   for (const float roughness : {0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.7f, 0.9f, 1.f}) queries.push_back({roughness, 0.5f, true});
-  for (const ModelPtr& model : ModelRegistry().all())
+  for (const ModelPtr& model : ModelRegistry().all()) {
+    if (!model->definesD && model->termD.empty()) continue;
     for (const ModelIntegral& integral : integrals(model->id).evaluate(queries))
       EXPECT_NEAR(integral.distribution, 1, 1e-3) << model->id;
+  }
 }
 
 // Both limits of GTR are 0/0 as printed: gamma 1 must meet its neighbours, and alpha 1 is 1/pi for every gamma.
