@@ -29,6 +29,46 @@ void place(Image8& sheet, const Image8& cell, int left, int top) {
       for (int k = 0; k < 3; ++k) sheet.at(left + x, top + y)[k] = cell.at(x, y)[cell.channels < 3 ? 0 : k];
 }
 
+constexpr int kMostLines = 3;  // of a title
+
+// Lines of text beneath each other, each paragraph in its own style.
+struct Block {
+  struct Paragraph {
+    std::vector<std::string> lines;
+    TextStyle style;
+  };
+  std::vector<Paragraph> paragraphs;
+
+  int height(TextPainter& painter) const {
+    float sum = 0;
+    for (const Paragraph& p : paragraphs) sum += float(p.lines.size()) * painter.lineHeight(p.style);
+    return int(std::ceil(sum));
+  }
+
+  void draw(TextPainter& painter, Image8& sheet, float x, int top, TextAlign align) const {
+    float y = float(top);
+    for (const Paragraph& p : paragraphs)
+      for (const std::string& line : p.lines) {
+        painter.draw(sheet, x, y + painter.ascent(p.style), line, p.style, align);
+        y += painter.lineHeight(p.style);
+      }
+  }
+};
+
+// The least width in which the text has at most so many lines with its words whole; `most` if it takes more.
+float narrowest(TextPainter& painter, const std::string& text, const TextStyle& style, float most, int lines) {
+  float low = 0, high = std::min(std::ceil(painter.width(text, style)), most);
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find_first_of(" *", at), text.size() - 1);
+    low = std::max(low, painter.width(text.substr(at, end + 1 - at), style));
+    at = end + 1;
+  }
+  low = std::ceil(std::min(low, high));
+  const auto fits = [&](float width) { return int(painter.wrapped(text, style, width, lines + 1).size()) <= lines; };
+  while (low < high && !fits(low)) low += std::max(1.0f, std::floor((high - low) / 16));
+  return std::min(low, high);
+}
+
 }  // namespace
 
 Image8 cutCell(const Image8& picture, const glm::ivec4& rectangle) {
@@ -49,65 +89,103 @@ Image8 comparisonSheet(std::span<const SheetRow> rows, const SheetText& text) {
   const float unit = std::clamp(float(cell) / 256, 0.5f, 2.0f);
   const auto px = [&](float at256) { return int(std::lround(at256 * unit)); };
   TextPainter painter;
-  const TextStyle rowTitle{18 * unit, TextFace::SemiBold, palette.title}, rowSubtitle{13.5f * unit, TextFace::Regular, palette.dim};
-  const TextStyle columnTitle{17 * unit, TextFace::SemiBold, palette.title}, axisTitle{13.5f * unit, TextFace::Regular, palette.dim};
-  const TextStyle caption{13 * unit, TextFace::Regular, palette.dim}, footer{12 * unit, TextFace::Regular, palette.dim};
+  const auto style = [&](float at256, float least, TextFace face, Color8 color) { return TextStyle{std::max(at256 * unit, least), face, color}; };
+  const TextStyle rowTitle = style(18, 13, TextFace::SemiBold, palette.title), columnTitle = style(17, 13, TextFace::SemiBold, palette.title);
+  const TextStyle small = style(13.5f, 11.5f, TextFace::Regular, palette.dim), footer = style(12, 11, TextFace::Regular, palette.dim);
+  const auto height = [&](const Block& block) { return block.height(painter); };
+  const int margin = px(28), gap = std::max(px(10), 8), titleGap = px(22), lead = std::max(px(8), 5);
 
-  float widest = 0;
-  bool captions = false;
+  // Columns are as wide as their cells, and wider where a number would not fit beneath a small one.
+  const float widestColumn = std::max(float(cell), 9 * columnTitle.size);
+  float columnWidth = float(cell);
+  for (const std::string& title : text.columns) columnWidth = std::max(columnWidth, narrowest(painter, title, columnTitle, widestColumn, kMostLines));
+  for (const SheetRow& row : rows)
+    for (const std::string& line : row.captions) columnWidth = std::max(columnWidth, narrowest(painter, line, small, widestColumn, 2));
+  columnWidth = std::max(columnWidth, (painter.width(text.axis, small) - float((columns - 1) * gap)) / float(columns));
+  const int pitch = int(std::ceil(columnWidth));
+
+  // Titles of rows: as narrow as lets each have few lines.
+  float titlesWidth = 0;
   for (const SheetRow& row : rows) {
-    widest = std::max({widest, painter.width(row.title, rowTitle), painter.width(row.subtitle, rowSubtitle)});
-    captions |= std::any_of(row.captions.begin(), row.captions.end(), [](const auto& c) { return !c.empty(); });
+    const float least = std::max(float(cell) * 0.75f, 8 * rowTitle.size), most = 3 * least;
+    for (const auto& [title, face] : {std::pair(row.title, row.heat ? small : rowTitle), std::pair(row.subtitle, small)})
+      titlesWidth = std::max(titlesWidth, painter.width(title, face) <= least ? painter.width(title, face)
+                                                                               : std::max(least, narrowest(painter, title, face, most, kMostLines)));
   }
-  const int margin = px(28), gap = px(10), titleGap = px(22);
-  const int titles = std::min(int(std::ceil(widest)), std::max(cell * 3 / 4, px(150)));
+  const int titles = int(std::ceil(titlesWidth));
   const int left = margin + (titles ? titles + titleGap : 0);
-  const int top = margin + (text.axis.empty() ? 0 : px(22)) + px(34);
-  const int captionHeight = captions ? px(24) : 0;
-  const int bottom = (text.footer.empty() ? px(20) : px(52));
-  const int rowHeight = cell + captionHeight + gap;
-  const int width = left + columns * cell + (columns - 1) * gap + margin;
-  const int height = top + int(rows.size()) * rowHeight - gap + bottom;
-  Image8 sheet(width, height, 3);
+  const int cells = columns * pitch + (columns - 1) * gap;
+  const std::string scale = text.heatWhite > 0 ? fmt::format("difference, up to {:.2g}", text.heatWhite) : "";
+  const int width = std::max(left + cells + margin, 2 * margin + int(std::ceil(painter.width(scale, footer))));
+
+  // Everything is measured before anything is drawn.
+  const Block axis{{{painter.wrapped(text.axis, small, float(cells), 2), small}}};
+  std::vector<Block> heads;
+  int headHeight = 0;
+  for (const std::string& title : text.columns) {
+    heads.push_back({{{painter.wrapped(title, columnTitle, float(pitch), kMostLines), columnTitle}}});
+    headHeight = std::max(headHeight, height(heads.back()));
+  }
+  const int top = margin + (text.axis.empty() ? 0 : height(axis) + lead) + headHeight + lead;
+  struct Strip {
+    Block title;
+    std::vector<Block> captions;
+    int top = 0, picture = 0;  // the strip's, and that of its cells
+  };
+  std::vector<Strip> strips;
+  int y = top;
+  for (const SheetRow& row : rows) {
+    Strip strip;
+    strip.title = {{{painter.wrapped(row.title, row.heat ? small : rowTitle, float(titles), kMostLines), row.heat ? small : rowTitle},
+                    {painter.wrapped(row.subtitle, small, float(titles), kMostLines), small}}};
+    int captions = 0;
+    for (const std::string& line : row.captions) {
+      strip.captions.push_back({{{painter.wrapped(line, small, float(pitch), 2), small}}});
+      captions = std::max(captions, height(strip.captions.back()));
+    }
+    const int tall = std::max(cell, height(strip.title));
+    strip.top = y;
+    strip.picture = y + (tall - cell) / 2;
+    y += std::max(tall, (tall - cell) / 2 + cell + (captions ? lead / 2 + captions + lead : 0)) + gap;
+    strips.push_back(std::move(strip));
+  }
+
+  // The scale stands right of the footer, or above it where both would not fit.
+  const int bar = std::min(px(160), (width - 2 * margin) / 2), thick = std::max(px(8), int(footer.size * 0.8f));
+  const int scaleWidth = scale.empty() ? 0 : std::max(bar + px(18), int(std::ceil(painter.width(scale, footer))));
+  const int room = width - 2 * margin;
+  const bool beside = painter.width(text.footer, footer) + float(scaleWidth + px(40)) <= float(room);
+  const Block foot{{{painter.wrapped(text.footer, footer, float(room), kMostLines), footer}}};
+  const int scaleHeight = scale.empty() ? 0 : int(std::ceil(painter.lineHeight(footer))) + thick + lead / 2;
+  const int footHeight = beside ? std::max(height(foot), scaleHeight) : height(foot) + scaleHeight + lead;
+  const int bottom = y + (footHeight ? lead : 0);
+  Image8 sheet(width, bottom + footHeight + px(20), 3);
   for (size_t i = 0; i < sheet.data.size(); ++i) sheet.data[i] = palette.ground[i % 3];
 
-  const auto columnLeft = [&](int column) { return left + column * (cell + gap); };
-  const float cells = float(columnLeft(columns) - gap - left);
-  if (!text.axis.empty())
-    painter.draw(sheet, float(left) + cells / 2, float(margin + px(14)), painter.fitted(text.axis, axisTitle, cells), axisTitle, TextAlign::Center);
+  const auto center = [&](int column) { return float(left + column * (pitch + gap)) + float(pitch) / 2; };
+  axis.draw(painter, sheet, float(left) + float(cells) / 2, margin, TextAlign::Center);
   for (int column = 0; column < columns; ++column)
-    painter.draw(sheet, float(columnLeft(column)) + float(cell) / 2, float(top - px(14)),
-                 painter.fitted(text.columns[size_t(column)], columnTitle, float(cell)), columnTitle, TextAlign::Center);
+    heads[size_t(column)].draw(painter, sheet, center(column), top - lead - height(heads[size_t(column)]), TextAlign::Center);
   for (size_t i = 0; i < rows.size(); ++i) {
-    const SheetRow& row = rows[i];
-    const int y = top + int(i) * rowHeight;
-    const float middle = float(y) + float(cell) / 2, right = float(left - titleGap);
-    const bool two = !row.subtitle.empty();
-    painter.draw(sheet, right, middle + 6 * unit - (two ? 9 * unit : 0), painter.fitted(row.title, row.heat ? rowSubtitle : rowTitle, float(titles)),
-                 row.heat ? rowSubtitle : rowTitle, TextAlign::Right);
-    if (two)
-      painter.draw(sheet, right, middle + 17 * unit, painter.fitted(row.subtitle, rowSubtitle, float(titles)), rowSubtitle, TextAlign::Right);
+    const Strip& strip = strips[i];
+    strip.title.draw(painter, sheet, float(left - titleGap), strip.picture + (cell - height(strip.title)) / 2, TextAlign::Right);
     for (int column = 0; column < columns; ++column) {
-      place(sheet, row.cells[size_t(column)], columnLeft(column), y);
-      if (size_t(column) < row.captions.size())
-        painter.draw(sheet, float(columnLeft(column)) + float(cell) / 2, float(y + cell + px(17)),
-                     painter.fitted(row.captions[size_t(column)], caption, float(cell)), caption, TextAlign::Center);
+      place(sheet, rows[i].cells[size_t(column)], left + column * (pitch + gap) + (pitch - cell) / 2, strip.picture);
+      if (size_t(column) < strip.captions.size())
+        strip.captions[size_t(column)].draw(painter, sheet, center(column), strip.picture + cell + lead / 2, TextAlign::Center);
     }
   }
 
-  const int base = height - px(20);
-  int footerWidth = width - 2 * margin;
-  if (text.heatWhite > 0) {
-    const int bar = std::min(px(160), footerWidth / 3), thick = px(8), from = width - margin - bar;
+  const int end = bottom + footHeight;
+  if (!scale.empty()) {
+    const int from = width - margin - bar, base = beside ? end : bottom + scaleHeight;
     Pixels<float> ramp(bar, thick, 1);
     for (size_t i = 0; i < ramp.data.size(); ++i) ramp.data[i] = float(int(i) % bar) / float(bar - 1);
     place(sheet, heatMap(ramp), from, base - thick);
-    const std::string most = fmt::format("{:.2g}", text.heatWhite);
     painter.draw(sheet, float(from - px(6)), float(base), "0", footer, TextAlign::Right);
-    painter.draw(sheet, float(width - margin), float(base - thick - px(6)), "difference, up to " + most, footer, TextAlign::Right);
-    footerWidth -= bar + px(40);
+    painter.draw(sheet, float(width - margin), float(base - thick - lead / 2 - 1), scale, footer, TextAlign::Right);
   }
-  painter.draw(sheet, float(margin), float(base), painter.fitted(text.footer, footer, float(footerWidth)), footer);
+  foot.draw(painter, sheet, float(margin), end - height(foot), TextAlign::Left);
   return sheet;
 }
 

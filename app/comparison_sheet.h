@@ -26,7 +26,8 @@ struct SheetText {
 };
 
 // Lays them out in Inter on the ground that the cells stand on: the colour of their corners, so that a plain
-// background runs through the whole sheet. Sizes follow the cell's. Titles that are too long are cut.
+// background runs through the whole sheet. Sizes follow the cell's down to what can be read: columns grow wider than small cells
+// for the sake of their titles and captions, and long titles go on in up to three lines.
 Image8 comparisonSheet(std::span<const SheetRow>, const SheetText&);
 
 // One cell cut out of a picture of the whole grid, by its rectangle from the bottom left.

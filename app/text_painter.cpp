@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "materials/base/utf8.h"
 #include "shaders/shipped_files.h"
@@ -70,6 +71,32 @@ std::string TextPainter::fitted(const std::string& text, const TextStyle& style,
     if (width(kept + ellipsis, style) <= available) break;
   }
   return kept + ellipsis;
+}
+
+std::vector<std::string> TextPainter::wrapped(const std::string& text, const TextStyle& style, float available,
+                                              int mostLines) {
+  std::vector<std::string> lines;
+  size_t from = 0;
+  while (from < text.size()) {
+    if (static_cast<int>(lines.size()) + 1 == mostLines) {
+      lines.push_back(fitted(text.substr(from), style, available));
+      break;
+    }
+    // As far as fits; back to the last place where a reader would break, if there is one.
+    size_t fits = from, nice = from;
+    for (size_t at = from; at < text.size();) {
+      nextCodePoint(text, at);
+      if (width(text.substr(from, at - from), style) > available && fits > from && text[at - 1] != ' ') break;
+      fits = at;
+      if (at == text.size() || std::strchr(" *-_/+", text[at - 1]) != nullptr) nice = at;
+    }
+    const size_t to = nice > from ? nice : fits;
+    std::string line = text.substr(from, to - from);
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    if (!line.empty()) lines.push_back(std::move(line));
+    from = to;
+  }
+  return lines;
 }
 
 void TextPainter::draw(Image8& picture, float x, float baseline, const std::string& text, const TextStyle& style,

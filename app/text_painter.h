@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "renderer/image.h"
 
@@ -33,6 +34,10 @@ class TextPainter {
 
   // The text itself when it fits, else its beginning and an ellipsis.
   std::string fitted(const std::string& text, const TextStyle&, float width);
+
+  // The text in lines of at most `width`, broken at spaces, after the marks that join names (*-_/+) and, where a
+  // single piece is too long, anywhere. What `mostLines` cannot hold ends in an ellipsis. Empty text: no lines.
+  std::vector<std::string> wrapped(const std::string& text, const TextStyle&, float width, int mostLines);
 
   // Blends one line over a picture of 3 or 4 channels; `x` is its left, centre or right, `baseline` counts from the
   // top row. What lies outside the picture is cut.

@@ -267,7 +267,7 @@ Sheet layOut(const Plan& plan, const Axes& axes, const Cells& cells) {
       const ReportNumbers& numbers = cells.numbers[row(r, c)][column(r, c)];
       any |= !heat.empty();
       heats.cells.push_back(heat);
-      heats.captions.push_back(heat.empty() ? "" : numbers.largest == 0 ? "identical" : fmt::format("FLIP {:.3f}   RMSE {:.3f}", numbers.flip, numbers.rmse));
+      heats.captions.push_back(heat.empty() ? "" : numbers.largest == 0 ? "identical" : fmt::format("FLIP\u00a0{:.3f}   RMSE\u00a0{:.3f}", numbers.flip, numbers.rmse));
     }
     sheet.rows.push_back(std::move(pictures));
     if (any) sheet.rows.push_back(std::move(heats));

@@ -35,6 +35,31 @@ TEST(Sheet, HoldsItsCellsUnchangedOnTheirGround) {
   EXPECT_TRUE(found(sheet, rows[1].cells[0]));
 }
 
+// The last character of each text shows in the picture: none ends in dots or lies outside, however small the cells.
+TEST(Sheet, CutsNoTextAtAnySizeOfCell) {
+  for (const int cell : {32, 64, 100, 256, 512})
+    for (const size_t columns : {1u, 3u}) {
+      const auto sheet = [&](int changed) {
+        const auto end = [&](int which) { return which == changed ? "8" : "1"; };
+        const std::vector<Image8> cells(columns, plain(cell, 28));
+        const std::vector<SheetRow> rows = {
+            {std::string("GGX x SmithGGXCorrelated x Schlick x Lambert") + end(1), std::string("gamma 1.5, roughness 0.") + end(2), cells, {}, false},
+            {std::string("against ggx") + end(3), "", cells, std::vector<std::string>(columns, std::string("FLIP\u00a00.102   RMSE\u00a00.04") + end(4)), true}};
+        return comparisonSheet(rows, {std::string("roughness") + end(5), std::vector<std::string>(columns, std::string("painted-metal 0.2") + end(6)),
+                                      std::string("environment studio, 2 lights, exposure ") + end(7), 0.5f});
+      };
+      const Image8 first = sheet(0);
+      for (int changed = 1; changed <= 7; ++changed) {
+        const Image8 other = sheet(changed);
+        EXPECT_TRUE(other.width != first.width || other.data != first.data) << "cell " << cell << ", text " << changed;
+      }
+      for (int y = 0; y < first.height; ++y) {
+        EXPECT_EQ(first.at(1, y)[0], 28);
+        EXPECT_EQ(first.at(first.width - 2, y)[0], 28);
+      }
+    }
+}
+
 TEST(Report, IsOneFileAndEscapesWhatItIsTold) {
   const std::vector<SheetRow> rows = {{"<script>", "", {plain(8, 28)}, {}, false}};
   const auto html = comparisonReport("<title> & \"more\"", rows, {"", {"a&b"}, "", 0}, "ggx", std::vector<ReportNumbers>{{"r", "c", 0.5, 0.25, 1}}, {{"Command", "glint '<x>'"}});

@@ -44,5 +44,18 @@ TEST(TextPainter, ShortensWithAnEllipsis) {
   EXPECT_EQ(cut.substr(cut.size() - 3), "\u2026");
 }
 
+TEST(TextPainter, WrapsWhereAReaderWouldBreak) {
+  TextPainter painter;
+  const TextStyle style{.size = 16};
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(painter.wrapped("", style, 100, 3), Lines{});
+  EXPECT_EQ(painter.wrapped("roughness", style, 100, 3), Lines{"roughness"});
+  EXPECT_EQ(painter.wrapped("GGX*Smith*Schlick", style, 80, 3), (Lines{"GGX*", "Smith*", "Schlick"}));
+  EXPECT_EQ(painter.wrapped("one two", style, 40, 3), (Lines{"one", "two"}));
+  for (const std::string& line : painter.wrapped(std::string(300, 'w'), style, 60, 3)) EXPECT_LE(painter.width(line, style), 60);
+  EXPECT_EQ(painter.wrapped(std::string(300, 'w'), style, 60, 3).size(), 3u);
+  EXPECT_EQ(painter.wrapped("\u00e9\u00e9", style, 1, 9), (Lines{"\u00e9", "\u00e9"}));  // never within a code point
+}
+
 }  // namespace
 }  // namespace glint
