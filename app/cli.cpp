@@ -255,7 +255,7 @@ int runGuarded(const Parsed& parsed) {
     return parsed.command->run(parsed.arguments);
   } catch (const std::system_error& e) {
     if (e.code().value() == EPIPE) return kDone;  // the reader has what it wanted (glint models | head)
-    return badInput({error("glint " + parsed.command->name, e.what())});
+    return badInput({error("glint " + parsed.command->name, e.what(), "check the disk and what else runs")});
   } catch (const std::bad_alloc&) {
     return badInput({error("glint " + parsed.command->name, "there is not enough memory", "ask for a smaller picture or input")});
   }

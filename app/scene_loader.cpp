@@ -127,7 +127,7 @@ Result<Scene> loadScene(const SceneOptions& options, Libraries& libraries, Diagn
       pairs.push_back({material, model});
       continue;
     }
-    auto own = libraries.model(material->model, material->place());
+    auto own = libraries.model(material->model, material->modelPlace());
     if (own) pairs.push_back({material, *own});
     else append(faults, own.diagnostics());
   }

@@ -1,5 +1,7 @@
 #include "app/scene_options.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -102,11 +104,17 @@ Result<Tonemap> parseTonemap(const std::string& text) {
   return static_cast<Tonemap>(found - names.begin());
 }
 
-Result<std::string> parseView(const std::string& text) {
-  if (findViewMode(text)) return text;
+std::vector<std::string> viewNames() {
   std::vector<std::string> names;
   for (const ViewMode& mode : viewModes()) names.push_back(mode.id);
-  return error("--view", fmt::format("unknown view '{}'", text), suggestion(text, names));
+  return names;
+}
+
+Result<std::string> parseView(const std::string& text) {
+  if (findViewMode(text)) return text;
+  const std::string near = nearest(text, viewNames());
+  return error("--view", fmt::format("unknown view '{}'", text),
+               (near.empty() ? "" : fmt::format("did you mean '{}'? ", near)) + fmt::format("There are {}", fmt::join(viewNames(), ", ")));
 }
 
 }  // namespace
@@ -136,7 +144,7 @@ std::vector<Option> sceneOptionTable() {
       {"--camera", "K=V,..", "eye=x/y/z, target=x/y/z, fov=DEG or ortho=HEIGHT"},
       {"--background", "WHAT", "env, blur, none or a colour (r/g/b linear, #rrggbb)"},
       {"--size", "WxH", fmt::format("of the picture, up to {0}x{0}", kLargestPictureSide)},
-      {"--view", "VIEW", "lit (the default) or a buffer: baseColor, normal, roughness, modelId, .."},
+      {"--view", "VIEW", fmt::format("what is shown: {} (lit)", fmt::join(viewNames(), ", "))},
       {"--exposure", "EV", "the picture is multiplied by 2^EV"},
       {"--tonemap", "NAME", "none (the default), aces, agx or pbr-neutral"},
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},

@@ -19,6 +19,7 @@ enum class Filter { Linear, Nearest };
 struct TextureSlot {
   std::string sampler;   // the GLSL name
   std::string node;      // id of the node it came from
+  std::string place;     // of that node, for diagnostics: "FILE:LINE: node 'n'"
   std::string file;      // absolute path or a "gltf:..." name that the scene resolves; may be empty (white)
   ColorSpace colorSpace = ColorSpace::sRGB;
   Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;

@@ -58,7 +58,7 @@ Result<FrontMatter> readFrontMatter(const std::string& file, std::string_view te
 
 ObjectReader::ObjectReader(const Json& json, std::string file, std::string where, Diagnostics& problems)
     : json_(json), file_(std::move(file)), where_(std::move(where)), problems_(problems) {
-  if (!json_.isObject()) problem(fmt::format("must be an object, not {}", name(json_.kind)));
+  if (!json_.isObject()) problem(fmt::format("must be an object, not {}", name(json_.kind)), "write {...}");
 }
 
 std::string ObjectReader::place(const Json& at) const {
@@ -77,14 +77,14 @@ void ObjectReader::problem(std::string what, std::string hint) {
 const Json* ObjectReader::take(std::string_view key, bool required) {
   known_.emplace_back(key);
   const Json* found = json_.find(key);
-  if (!found && required && json_.isObject()) problem(fmt::format("'{}' is missing", key));
+  if (!found && required && json_.isObject()) problem(fmt::format("'{}' is missing", key), fmt::format("add \"{}\": ...", key));
   return found;
 }
 
 const Json* ObjectReader::take(std::string_view key, bool required, Json::Kind kind) {
   const Json* found = take(key, required);
   if (!found || found->kind == kind) return found;
-  problem(*found, fmt::format("'{}' must be {}, not {}", key, name(kind), name(found->kind)));
+  problem(*found, fmt::format("'{}' must be {}, not {}", key, name(kind), name(found->kind)), writtenAs(kind));
   return nullptr;
 }
 
@@ -99,7 +99,7 @@ std::optional<float> ObjectReader::number(std::string_view key, bool required) {
   if (!found) return std::nullopt;
   const float value = static_cast<float>(found->number);
   if (std::isfinite(value)) return value;
-  problem(*found, fmt::format("'{}' is {}, which a float cannot hold", key, found->text));
+  problem(*found, fmt::format("'{}' is {}, which a float cannot hold", key, found->text), "numbers go up to 3.4e38");
   return std::nullopt;
 }
 
@@ -117,7 +117,7 @@ std::optional<std::vector<std::string>> ObjectReader::texts(std::string_view key
     if (item.isString())
       result.push_back(item.text);
     else
-      problem(item, fmt::format("'{}' must hold strings, not {}", key, name(item.kind)));
+      problem(item, fmt::format("'{}' must hold strings, not {}", key, name(item.kind)), writtenAs(Json::Kind::String));
   }
   return result;
 }
@@ -127,12 +127,8 @@ std::optional<Value> ObjectReader::value(std::string_view key, ValueType type, b
   if (!found) return std::nullopt;
   auto result = valueFromJson(*found, type);
   if (!result)
-    problem(*found, fmt::format("'{}' is not a {}", key, name(type)),
-            type == ValueType::Bool      ? "true or false"
-            : type == ValueType::Color   ? "[r, g, b] in linear Rec.709, or \"#rrggbb\" in sRGB"
-            : componentCount(type) > 1   ? fmt::format("an array of {} numbers", componentCount(type))
-            : type == ValueType::Int     ? "a whole number"
-                                         : "a number");
+    problem(*found, fmt::format("'{}' is not {}", key, described(type)),
+            jsonHint(type));
   return result;
 }
 
@@ -150,6 +146,14 @@ void ObjectReader::finish() {
     if (std::find(known_.begin(), known_.end(), json_.keys[i]) == known_.end())
       problem(json_.items[i], fmt::format("unknown key '{}'", json_.keys[i]),
               suggestion(json_.keys[i], known_));
+}
+
+std::string jsonHint(ValueType type) {
+  return type == ValueType::Bool      ? "true or false"
+         : type == ValueType::Color   ? "[r, g, b] in linear Rec.709, or \"#rrggbb\" in sRGB"
+         : componentCount(type) > 1   ? fmt::format("an array of {} numbers", componentCount(type))
+         : type == ValueType::Int     ? "a whole number"
+                                      : "a number";
 }
 
 std::optional<Value> valueFromJson(const Json& json, ValueType type) {

@@ -59,6 +59,8 @@ class ObjectReader {
 
 // As ObjectReader::value, of a bare value: nothing when it is not a finite value of that type.
 std::optional<Value> valueFromJson(const Json&, ValueType);
+// How JSON has such a value, for hints: "an array of 3 numbers".
+std::string jsonHint(ValueType);
 Json valueToJson(const Value&);
 
 }  // namespace glint

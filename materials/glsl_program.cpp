@@ -81,6 +81,7 @@ std::optional<ValueId> GlslProgram::texture(TextureSlot slot) {
     TextureSlot other = textures_[values_[id].texture];
     other.sampler = slot.sampler;
     other.node = slot.node;
+    other.place = slot.place;
     if (other == slot) return id;
   }
   if (textures_.size() >= static_cast<size_t>(kMostMaterialTextures)) return std::nullopt;

@@ -33,8 +33,8 @@ class Scanner {
   GlslScan run() {
     while (at_ < text_.size()) step();
     if (!open_.empty())
-      fault(open_.back().line, fmt::format("'{}' is never closed", open_.back().text), "");
-    for (const int line : conditions_) fault(line, "this condition has no #endif", "");
+      fault(open_.back().line, fmt::format("'{}' is never closed", open_.back().text), "close it, or take it out");
+    for (const int line : conditions_) fault(line, "this condition has no #endif", "add #endif");
     checkMacros();
     return std::move(scan_);
   }
@@ -134,7 +134,7 @@ class Scanner {
       conditions_.push_back(line);
       if (word == "if" && takeName(text, at) == "0" && text.find_first_not_of(" \t\r", at) == text.npos) skipFalse();
     } else if (word == "endif") {
-      if (conditions_.empty()) fault(line, "#endif without an #if", "");
+      if (conditions_.empty()) fault(line, "#endif without an #if", "remove one of them");
       else conditions_.pop_back();
     } else if (word == "undef") {
       const std::string macro = takeName(text, at);
@@ -209,7 +209,7 @@ class Scanner {
     if (c == ')' || c == ']' || c == '}') {
       const char wanted = c == ')' ? '(' : c == ']' ? '[' : '{';
       if (open_.empty() || open_.back().text[0] != wanted) {
-        fault(token.line, fmt::format("'{}' closes nothing", c), "");
+        fault(token.line, fmt::format("'{}' closes nothing", c), "remove it, or open what it closes");
         return;
       }
       open_.pop_back();
@@ -308,7 +308,7 @@ class Scanner {
     const char c = token.text[0];
     ++total_;
     if (token.text == "else" && ++elses_ == kMostElses + 1)
-      fault(token.line, fmt::format("more than {} times else", kMostElses), "");
+      fault(token.line, fmt::format("more than {} times else", kMostElses), "use a switch or a table");
     if (c == ';' || c == '{' || c == '}') run_ = 0;
     else if (++run_ == kMostStatementTokens + 1)
       fault(token.line, fmt::format("a statement of more than {} words", kMostStatementTokens), "split it");

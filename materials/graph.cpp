@@ -42,6 +42,10 @@ NodeId Material::outputNode() const {
   return {};
 }
 
+std::string Material::modelPlace() const {
+  return lines && lines->model > 0 ? fmt::format("{}:{}", place(), lines->model) : place();
+}
+
 std::string Material::place(std::string_view node, std::string_view pin) const {
   std::string text = file.empty() ? (name.empty() ? "material" : name) : file.string();
   if (node.empty()) return text;

@@ -61,6 +61,7 @@ std::optional<DocumentKind> documentKind(std::string_view name);
 
 // Which line of its file each node and pin came from. Dropped at the first edit.
 struct SourceLines {
+  int model = 0;
   std::map<NodeId, int> nodes;
   std::map<PinRef, int> pins;
 };
@@ -87,6 +88,7 @@ struct Material {
   NodeId outputNode() const;        // the first of kind "output", or ""
   // Where a node, or one of its pins, is: "FILE:LINE: node 'n' pin 'p'".
   std::string place(std::string_view node = {}, std::string_view pin = {}) const;
+  std::string modelPlace() const;   // "FILE:LINE" of the model that it asks for
 };
 
 // A material with an output node and nothing else.

@@ -89,7 +89,7 @@ class Analyser {
     if (!info.kind) return false;
     if (!info.pins->input(pin)) {
       if (!unresolvedCall(info))
-        warn(id, pin, fmt::format("a '{}' node has no such input now; it is kept and does nothing", info.kind->id),
+        warn(id, pin, fmt::format("{} node has no such input now; it is kept and does nothing", withArticle("'" + info.kind->id + "'")),
              suggestion(pin, namesOf(info.pins->inputs)));
       return false;
     }
@@ -105,8 +105,8 @@ class Analyser {
     const NodeInfo& from = source->second;
     if (from.kind && !from.pins->output(input.from->pin)) {
       if (!unresolvedCall(from))
-        fail(id, pin, fmt::format("wire from '{}', but a '{}' node has no output '{}'", input.from->node,
-                                  from.kind->id, input.from->pin.substr(0, 80)),
+        fail(id, pin, fmt::format("wire from '{}', but {} node has no output '{}'", input.from->node,
+                                  withArticle("'" + from.kind->id + "'"), input.from->pin.substr(0, 80)),
              suggestion(input.from->pin, namesOf(from.pins->outputs)));
       return false;
     }
@@ -118,7 +118,7 @@ class Analyser {
   }
   // A call whose function was not found has been reported; its wires are no news.
   bool unresolvedCall(const NodeInfo& info) const {
-    return isCall(info) && info.pins->inputs.empty() && info.pins->outputs.empty();
+    return isCall(info) && (wrongCalls_.count(info.node) || (info.pins->inputs.empty() && info.pins->outputs.empty()));
   }
 
   void settleTypes(const NodeId& id, NodeInfo& info) {
@@ -130,7 +130,8 @@ class Analyser {
       if (pin.type.kind == PinType::Kind::Any || !generic) {
         generic = pin.type.kind == PinType::Kind::Any ? type : promote(type, ValueType::Float);
         if (!generic) {
-          fail(id, pin.name, fmt::format("a {} is not a number", name(type)));
+          fail(id, pin.name, fmt::format("{} is no number", type == ValueType::Attributes ? "a bundle of attributes" : described(type)),
+               type == ValueType::Attributes ? "use 'break-attributes'" : "connect a number, vector or colour");
           known = false;
         }
         widest = pin.name;
@@ -138,7 +139,7 @@ class Analyser {
       }
       const auto both = promote(*generic, type);
       if (!both) {
-        fail(id, pin.name, fmt::format("a {} does not go with the {} of pin '{}'", name(type), name(*generic), widest),
+        fail(id, pin.name, fmt::format("{} {} not go with the {} of pin '{}'", described(type), type == ValueType::Attributes ? "do" : "does", name(*generic), widest),
              componentCount(type) == 0 ? "connect a number, vector or colour"
                                        : "a float is promoted; of others, 'split' takes single components");
         known = false;
@@ -164,14 +165,14 @@ class Analyser {
         if (pin.type.kind != PinType::Kind::Exact)
           widen(pin, type->second);
         else if (!converts(type->second, pin.type.type))
-          fail(id, name, fmt::format("a {} cannot go into a {}", glint::name(type->second), glint::name(pin.type)),
+          fail(id, name, fmt::format("{} cannot go into {}", described(type->second), described(pin.type.type)),
                conversionHint(type->second, pin.type.type));
       } else if (input.value) {
         if (pin.type.kind != PinType::Kind::Exact)
           widen(pin, input.value->type);
         else if (!coerced(*input.value, pin.type.type))
           fail(id, name, fmt::format("a constant of type {} at a pin of type {}", glint::name(input.value->type),
-                                     glint::name(pin.type)));
+                                     glint::name(pin.type)), constantHint(pin.type.type));
         else if (pin.most && !inRange(*input.value, pin.minimum, *pin.most))
           warn(id, name, fmt::format("{} is outside {} to {}; the nearest is used", valueText(*input.value), pin.minimum, *pin.most));
       }
@@ -202,6 +203,12 @@ class Analyser {
     return pin.surface.starts_with("uv") ? ValueType::Vec2 : ValueType::Vec3;
   }
 
+  static std::string constantHint(ValueType type) {
+    if (type == ValueType::Texture) return "connect a 'texture' node";
+    if (type == ValueType::Attributes) return "connect a bundle of attributes, for example of 'make-attributes'";
+    return jsonHint(type);
+  }
+
   static std::string conversionHint(ValueType from, ValueType to) {
     if (to == ValueType::Attributes) return "use 'make-attributes'";
     if (from == ValueType::Attributes) return "use 'break-attributes'";
@@ -223,8 +230,11 @@ class Analyser {
         continue;
       }
       const Json& value = found->second;
+      const std::string wantedKind = writtenAs(setting.type == Type::Int || setting.type == Type::Number ? Json::Kind::Number
+                                               : setting.type == Type::Bool                             ? Json::Kind::Bool
+                                                                                                        : Json::Kind::String);
       const auto wrong = [&](std::string_view wanted) {
-        fail(id, {}, fmt::format("'{}' must be {}, not {}", setting.name, wanted, name(value.kind)));
+        fail(id, {}, fmt::format("'{}' must be {}, not {}", setting.name, wanted, name(value.kind)), wantedKind);
       };
       switch (setting.type) {
         case Type::Choice:
@@ -267,7 +277,7 @@ class Analyser {
     const auto type = valueType(settingText(*info.node, "type", "float"));
     if (!type || componentCount(*type) == 0) return;
     if (!settingValue(*info.node, setting.name, *type))
-      fail(id, {}, fmt::format("'{}' is not a {}", setting.name, name(*type)));
+      fail(id, {}, fmt::format("'{}' is not {}", setting.name, described(*type)), jsonHint(*type));
   }
 
   void checkCall(const NodeId& id, const Node& node, const NodeInfo& info) {
@@ -284,8 +294,10 @@ class Analyser {
         fail(id, {}, fmt::format("cannot call '{}': {}: {}", function, d.place, d.what), d.hint);
       return;
     }
-    if (info.kind->builtin == Builtin::Layer && (*found)->kind != DocumentKind::Layer)
+    if (info.kind->builtin == Builtin::Layer && (*found)->kind != DocumentKind::Layer) {
+      wrongCalls_.insert(info.node);
       fail(id, {}, fmt::format("'{}' is a function, not a layer", function), "call it with a 'function' node");
+    }
   }
 
   void checkDocument() {
@@ -302,8 +314,8 @@ class Analyser {
           const std::string type = settingText(*info.node, "type", "float");
           const auto [at, fresh] = parameters.try_emplace(name, id, type);
           if (!fresh && at->second.second != type)
-            fail(id, {}, fmt::format("parameter '{}' is a {} here and a {} in node '{}'", name, type,
-                                     at->second.second, at->second.first),
+            fail(id, {}, fmt::format("parameter '{}' is {} here and {} in node '{}'", name, withArticle(type),
+                                     withArticle(at->second.second), at->second.first),
                  "parameters of one name are one; rename one of them");
           break;
         }
@@ -318,7 +330,7 @@ class Analyser {
           if (name.empty()) name = id;
           auto& ports = input ? inputPorts : outputPorts;
           if (const auto [at, fresh] = ports.try_emplace(name, id); !fresh)
-            fail(id, {}, fmt::format("{} '{}' is node '{}' already", input ? "input" : "output", name, at->second));
+            fail(id, {}, fmt::format("{} '{}' is node '{}' already", input ? "input" : "output", name, at->second), "rename one of them");
           break;
         }
         default: break;
@@ -344,6 +356,7 @@ class Analyser {
   const Material& material_;
   const GraphContext& context_;
   std::filesystem::path folder_;
+  std::set<const Node*> wrongCalls_;  // of what cannot be called so: reported
   GraphAnalysis result_;
 };
 

@@ -280,6 +280,7 @@ class Compiler {
     const Node& node = *v.info.node;
     TextureSlot slot;
     slot.node = v.name();
+    slot.place = v.document.place(v.id);
     slot.colorSpace = settingText(node, "colorSpace", "srgb") == "linear" ? ColorSpace::Linear : ColorSpace::sRGB;
     const std::string wrap = settingText(node, "wrap", "repeat");
     const std::string wrapV = settingText(node, "wrapV", "same");
@@ -299,7 +300,7 @@ class Compiler {
         const auto path = resolveInside(v.document.file.parent_path(), file);
         if (!path) {
           for (const Diagnostic& d : path.diagnostics())
-            problems.push_back(error(v.document.place(v.id), fmt::format("texture {} {}", d.place, d.what), d.hint));
+            problems.push_back(error(v.document.place(v.id), fmt::format("texture {}: {}", d.place, d.what), d.hint));
           return -1;
         }
         slot.file = path->string();
@@ -524,7 +525,7 @@ Result<CompiledMaterial> compileMaterial(const Material& material, const Shading
   const GraphContext context{registry, &model, &functions};
   Diagnostics problems = validate(material, context);
   if (material.kind != DocumentKind::Material)
-    problems.push_back(error(material.place(), fmt::format("is a {}, not a material", name(material.kind)),
+    problems.push_back(error(material.place(), fmt::format("is {}, not a material", withArticle(name(material.kind))),
                              "use it in a material"));
   if (warnings)
     for (const Diagnostic& d : problems)

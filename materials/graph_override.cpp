@@ -37,7 +37,7 @@ Diagnostics overrideAttribute(Material& material, const ShadingModel& model, con
   const ValueType type = attribute ? attribute->standard.type : parameter->standard.type;
   const auto value = parseValue(type, valueText);
   if (!value)
-    return {error(fmt::format("'{}'", name), fmt::format("'{}' is not a {} for {}", valueText.substr(0, 80), glint::name(type), name),
+    return {error(fmt::format("'{}'", name), fmt::format("'{}' is not {} for {}", valueText.substr(0, 80), described(type), name),
                   valueHint(type))};
   const float least = attribute ? attribute->minimum : parameter->minimum, most = attribute ? attribute->most : parameter->maximum;
   if (!inRange(*value, least, most))

@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "materials/front_matter.h"
 #include "materials/function_library.h"
 #include "materials/graph_analysis.h"
 #include "materials/model.h"
@@ -39,7 +40,7 @@ class Validator {
         problems.push_back(error(material.place(id), fmt::format("'{}' calls itself", name),
                                  "a function cannot be a part of itself"));
       } else if (calling_.size() >= kDeepestCalls) {
-        problems.push_back(error(material.place(id), fmt::format("calls nested deeper than {}", kDeepestCalls)));
+        problems.push_back(error(material.place(id), fmt::format("calls nested deeper than {}", kDeepestCalls), "put the inner ones together into one function"));
       } else if (seen_.insert(function).second) {
         held_.push_back(*found);
         visit(*function);
@@ -72,8 +73,9 @@ Diagnostics validate(const Material& material, const GraphContext& context) {
             warning(material.place(), fmt::format("model '{}' has no parameter '{}'; it is kept", context.model->id, name),
                     suggestion(name, known)));
       else if (!coerced(value, parameter->standard.type))
-        validator.problems.push_back(error(material.place(), fmt::format("model parameter '{}' is not a {}", name,
-                                                                         glint::name(parameter->standard.type))));
+        validator.problems.push_back(error(material.place(), fmt::format("model parameter '{}' is not {}", name,
+                                                                         described(parameter->standard.type)),
+                                           jsonHint(parameter->standard.type)));
       else if (!inRange(value, parameter->minimum, parameter->maximum))
         validator.problems.push_back(
             warning(material.place(), fmt::format("model parameter '{}' is {}, outside {} to {}; the nearest is used", name,

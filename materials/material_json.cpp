@@ -31,6 +31,7 @@ class Reader {
         lines_(std::make_shared<SourceLines>()) {}
 
   std::shared_ptr<SourceLines> lines() const { return lines_; }
+  void modelLine(int line) { lines_->model = line; }
 
   void fail(const Json& at, std::string what, std::string hint = {}) {
     errors_.push_back(error(place(at), std::move(what), std::move(hint)));
@@ -40,7 +41,7 @@ class Reader {
   const Json* member(const Json& object, const char* key, Json::Kind kind) {
     const Json* found = object.find(key);
     if (!found || found->kind == kind) return found;
-    fail(*found, fmt::format("'{}' must be {}, not {}", key, name(kind), name(found->kind)));
+    fail(*found, fmt::format("'{}' must be {}, not {}", key, name(kind), name(found->kind)), writtenAs(kind));
     return nullptr;
   }
 
@@ -51,7 +52,7 @@ class Reader {
       return false;
     }
     if (!version->isNumber() || version->number != std::floor(version->number) || version->number < 1) {
-      fail(*version, "'version' must be a whole number from 1");
+      fail(*version, "'version' must be a whole number from 1", fmt::format("this program writes \"version\": {}", kMaterialVersion));
       return false;
     }
     if (version->number > kMaterialVersion) {
@@ -67,7 +68,7 @@ class Reader {
     const Json* list = member(document, "nodes", Json::Kind::Object);
     if (!list) return;
     if (list->items.size() > kMostNodes)
-      return fail(*list, fmt::format("{} nodes, more than the {} that fit", list->items.size(), kMostNodes));
+      return fail(*list, fmt::format("{} nodes, more than the {} that fit", list->items.size(), kMostNodes), "put parts of it into functions");
     for (size_t i = 0; i < list->items.size(); ++i) {
       const std::string& id = list->keys[i];
       const Json& json = list->items[i];
@@ -76,7 +77,7 @@ class Reader {
         continue;
       }
       if (!json.isObject()) {
-        fail(json, fmt::format("node '{}' must be an object, not {}", id, name(json.kind)));
+        fail(json, fmt::format("node '{}' must be an object, not {}", id, name(json.kind)), "write {\"kind\": ...}");
         continue;
       }
       lines_->nodes[id] = json.line;
@@ -90,7 +91,7 @@ class Reader {
     for (size_t i = 0; i < list->items.size(); ++i) {
       const auto at = valueFromJson(list->items[i], ValueType::Vec2);
       if (!validNodeId(list->keys[i]) || !list->items[i].isArray() || !at)
-        fail(list->items[i], fmt::format("layout of '{}' must be [x, y]", list->keys[i].substr(0, 80)));
+        fail(list->items[i], fmt::format("layout of '{}' must be [x, y]", list->keys[i].substr(0, 80)), "two numbers, and a node's id for their key");
       else
         layout[list->keys[i]] = {at->v[0], at->v[1]};
     }
@@ -126,7 +127,7 @@ class Reader {
   void readNode(const NodeId& id, const Json& json, Node& node) {
     const Json* kindName = member(json, "kind", Json::Kind::String);
     if (!kindName) {
-      if (!json.find("kind")) fail(json, fmt::format("node '{}' has no 'kind'", id));
+      if (!json.find("kind")) fail(json, fmt::format("node '{}' has no 'kind'", id), "add \"kind\": ...; 'glint nodes' lists them");
       return;
     }
     node.kind = kindName->text;
@@ -277,7 +278,10 @@ Result<Material> parseMaterial(const std::string& text, const std::filesystem::p
   if (const Json* given = reader.member(*json, "name", Json::Kind::String)) material.name = given->text;
   if (material.name.empty()) material.name = file.stem().string();
   if (const Json* doc = reader.member(*json, "doc", Json::Kind::String)) material.doc = doc->text;
-  if (const Json* model = reader.member(*json, "model", Json::Kind::String)) material.model = model->text;
+  if (const Json* model = reader.member(*json, "model", Json::Kind::String)) {
+    material.model = model->text;
+    reader.modelLine(model->line);
+  }
   reader.readParameters(*json, material.modelParameters);
   reader.readNodes(*json, material.nodes);
   reader.readLayout(*json, material.layout);

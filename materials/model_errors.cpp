@@ -113,7 +113,7 @@ class Findings {
                                    [&](const Diagnostic& d) { return d.place == place || d.what == what; });
     if (known || (!found_.empty() && isFollowOn(what))) return;
     const bool recursion = what.find("recursi") != what.npos;
-    found_.push_back(error(place, what, recursion ? "GLSL has no recursion: write a loop" : ""));
+    found_.push_back(error(place, what, recursion ? "GLSL has no recursion: write a loop" : "'glint new-model ID' writes a start that lists what a plugin can use"));
   }
 
   const Diagnostics& all() const { return found_; }
@@ -142,7 +142,7 @@ Diagnostics modelErrors(const ShadingModel& model, const std::string& driverLog)
   }
   if (!errors.all().empty()) return errors.all();
   if (!others.all().empty()) return others.all();
-  return {error(model.file.string() + " (generated)", "the driver refused the shader and did not say why")};
+  return {error(model.file.string() + " (generated)", "the driver refused the shader and did not say why", "try another --backend")};
 }
 
 }  // namespace glint

@@ -57,12 +57,12 @@ Pin readPin(const Json& json, const std::string& file, bool input, Diagnostics& 
   }
   const bool exact = pin.type.kind == PinType::Kind::Exact;
   if (exact && componentCount(pin.type.type) == 0)
-    reader.problem(*json.find("type"), fmt::format("a '{}' cannot be a pin of a node in GLSL", name(pin.type)));
+    reader.problem(*json.find("type"), fmt::format("a '{}' cannot be a pin of a node in GLSL", name(pin.type)), "numbers, vectors, colours and textures can");
   pin.standard.type = exact ? pin.type.type : ValueType::Float;
   if (input) {
     pin.minimum = reader.number("min").value_or(0.f);
     pin.maximum = reader.number("max").value_or(1.f);
-    if (pin.minimum > pin.maximum) reader.problem("'min' is more than 'max'");
+    if (pin.minimum > pin.maximum) reader.problem("'min' is more than 'max'", "exchange them");
     const Json* standard = reader.any("default");
     if (standard && standard->isString() && !standard->text.starts_with('#')) {
       pin.surface = standard->text;
@@ -75,7 +75,8 @@ Pin readPin(const Json& json, const std::string& file, bool input, Diagnostics& 
       if (const auto value = valueFromJson(*standard, pin.standard.type))
         pin.standard = *value;
       else
-        reader.problem(*standard, fmt::format("'default' is not a {}", name(pin.type)));
+        reader.problem(*standard, fmt::format("'default' is not {}", pin.type.kind == PinType::Kind::Exact ? described(pin.type.type) : "a number"),
+                       jsonHint(pin.type.kind == PinType::Kind::Exact ? pin.type.type : ValueType::Float));
     }
   }
   reader.finish();
@@ -89,13 +90,13 @@ SettingInfo readSetting(const Json& json, const std::string& file, Diagnostics& 
                       problems);
   setting.name = reader.text("name", true).value_or("");
   if (!setting.name.empty() && (!isIdentifier(setting.name) || setting.name == "kind" || setting.name == "inputs"))
-    reader.problem(*named, fmt::format("'{}' is no name for a setting", setting.name));
+    reader.problem(*named, fmt::format("'{}' is no name for a setting", setting.name), "letters and digits");
   setting.title = reader.text("title").value_or(titled(setting.name));
   setting.doc = reader.text("doc").value_or("");
   const std::string type = reader.text("type", true).value_or("choice");
   if (type == "choice") {
     setting.values = reader.texts("values").value_or(std::vector<std::string>{});
-    if (setting.values.empty()) reader.problem("a choice needs 'values'");
+    if (setting.values.empty()) reader.problem("a choice needs 'values'", "add \"values\": [\"...\"]");
     setting.standard = Json::of(reader.text("default").value_or(setting.values.empty() ? "" : setting.values[0]));
     if (std::find(setting.values.begin(), setting.values.end(), setting.standard.text) == setting.values.end())
       reader.problem(fmt::format("'default' is none of the values"), suggestion(setting.standard.text, setting.values));
@@ -197,13 +198,13 @@ Result<NodeKind> parseNodeKind(const std::string& file, const std::string& text)
   if (const Json* settings = reader.array("settings"))
     for (const Json& setting : settings->items) kind.settings.push_back(readSetting(setting, file, problems));
   reader.finish();
-  if (kind.outputs.empty()) reader.problem("has no outputs");
+  if (kind.outputs.empty()) reader.problem("has no outputs", "add \"outputs\": [...]");
   std::vector<std::string> names;
   for (const Pin& pin : kind.inputs) names.push_back(pin.name);
   for (const SettingInfo& setting : kind.settings) names.push_back(setting.name);
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
-    reader.problem(fmt::format("two inputs or settings are called '{}'", *twice));
+    reader.problem(fmt::format("two inputs or settings are called '{}'", *twice), "rename one of them");
   kind.function = "node_" + kind.id;
   std::replace(kind.function.begin(), kind.function.end(), '-', '_');
   if (!definesFunction(kind.source, kind.function))

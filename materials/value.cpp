@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "materials/base/check.h"
+#include "materials/base/diagnostic.h"
 
 namespace glint {
 namespace {
@@ -76,6 +77,10 @@ std::string floatLiteral(float x) {
 std::string_view name(ValueType type) { return row(type).name; }
 std::string_view glslName(ValueType type) { return row(type).glsl; }
 int componentCount(ValueType type) { return row(type).components; }
+
+std::string described(ValueType type) {
+  return type == ValueType::Attributes ? std::string(name(type)) : withArticle(name(type));
+}
 
 std::optional<ValueType> valueType(std::string_view wanted) {
   for (const TypeRow& r : kTypes)

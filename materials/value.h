@@ -13,6 +13,8 @@ enum class ValueType { Bool, Int, Float, Vec2, Vec3, Vec4, Color, Texture, Attri
 // How JSON and diagnostics write a type: "bool", "int", "float", "vec2", "vec3", "vec4", "color",
 // "texture", "attributes".
 std::string_view name(ValueType);
+// The same in a sentence: "a float", "an int", "attributes".
+std::string described(ValueType);
 std::optional<ValueType> valueType(std::string_view name);
 std::string_view glslName(ValueType);  // "float", "vec3", "MaterialAttributes"
 int componentCount(ValueType);         // 1..4; 0 for textures and attributes

@@ -603,7 +603,7 @@ Result<fs::path> resolveGltfUri(const std::string& uri, const fs::path& folder, 
     return error(place, fmt::format("'{}' is not a relative path", shown), "name a file beside the model");
   std::error_code code;
   const fs::path home = fs::canonical(folder.empty() ? "." : folder, code);
-  if (code) return error(place, fmt::format("the model's folder cannot be read: {}", code.message()));
+  if (code) return error(place, fmt::format("the model's folder cannot be read: {}", code.message()), "check the path and its permissions");
   const fs::path target = fs::weakly_canonical(home / relative, code);
   const fs::path inside = target.lexically_relative(home);
   if (code || inside.empty() || *inside.begin() == "..")

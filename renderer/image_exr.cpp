@@ -267,7 +267,7 @@ Result<std::string> encodeExr(const ImageF& image, const ImageNotes& notes, cons
   }
   return std::move(stream.bytes);
 } catch (const std::exception& thrown) {
-  return error(place, fmt::format("cannot be written as .exr: {}", thrown.what()));
+  return error(place, fmt::format("cannot be written as .exr: {}", thrown.what()), "try another format");
 }
 
 }  // namespace glint::codec

@@ -215,7 +215,7 @@ Result<std::string> encodePng(const Image8& image, const ImageNotes& notes, cons
     entry.itxt_length = ascii ? 0 : text.size();
     writer.texts.push_back(entry);
   }
-  if (!writer.write(image)) return error(place, fmt::format("cannot be written as PNG: {}", writer.source.message));
+  if (!writer.write(image)) return error(place, fmt::format("cannot be written as PNG: {}", writer.source.message), "try another format");
   return std::move(writer.bytes);
 }
 

@@ -25,7 +25,7 @@ Diagnostics setUniform(CompiledMaterial& compiled, const Setting& setting, const
   if (!field) return {};
   const auto value = parseValue(field->value.type, setting.text);
   if (!value)
-    return {error(place, fmt::format("'{}' is not a {} for {}", setting.text, name(field->value.type), setting.name),
+    return {error(place, fmt::format("'{}' is not {} for {}", setting.text, described(field->value.type), setting.name),
                   valueHint(field->value.type))};
   // The range of a parameter is its author's, unless the author went beyond it too.
   if (inRange(field->value, field->minimum, field->maximum) && !inRange(*value, field->minimum, field->maximum))

@@ -92,7 +92,7 @@ SurfaceMaterial surfaceMaterial(std::shared_ptr<const CompiledMaterial> compiled
     const Result<Image8Ptr> image = cache.get(slot.file);
     if (!image)
       for (const Diagnostic& d : image.diagnostics())
-        problems.push_back(error(fmt::format("{}: node '{}'", compiled->name, slot.node), fmt::format("texture {} {}", d.place, d.what), d.hint));
+        problems.push_back(error(slot.place, fmt::format("texture {}: {}", d.place, d.what), d.hint));
     surface.textures.push_back(image ? *image : missingTexture());
   }
   surface.block = compiled->block();

@@ -71,11 +71,16 @@ Result<Plan> parsePlan(const Arguments& arguments) {
   Plan plan;
   Diagnostics problems;
   keep(problems, parseSceneOptions(arguments), plan.scene);
-  keep(problems, parseModelList(arguments.get("models"), "--models"), plan.models);
-  if (arguments.has("materials")) keep(problems, parseNameList(arguments.get("materials"), "--materials"), plan.materials);
+  bool sized = true;  // false once something that the sheet's size follows from is wrong
+  const auto keepSize = [&](auto&& result, auto& to) {
+    sized &= result.ok();
+    keep(problems, std::move(result), to);
+  };
+  keepSize(parseModelList(arguments.get("models"), "--models"), plan.models);
+  if (arguments.has("materials")) keepSize(parseNameList(arguments.get("materials"), "--materials"), plan.materials);
   for (const std::string& text : arguments.all("sweep")) {
     Sweep sweep;
-    keep(problems, parseSweep(text, "--sweep"), sweep);
+    keepSize(parseSweep(text, "--sweep"), sweep);
     plan.sweeps.push_back(sweep);
   }
   if (arguments.has("materials") && arguments.has("sweep"))
@@ -88,11 +93,11 @@ Result<Plan> parsePlan(const Arguments& arguments) {
     problems.push_back(error("--sweep", fmt::format("both change '{}'", plan.sweeps[0].name), "name two parameters"));
   if (arguments.has("against")) {
     std::vector<ModelChoice> one;
-    keep(problems, parseModelList(arguments.get("against"), "--against"), one);
+    keepSize(parseModelList(arguments.get("against"), "--against"), one);
     if (one.size() == 1) plan.against = one[0];
     else if (!one.empty()) problems.push_back(error("--against", fmt::format("{} models", one.size()), "name the one to compare with"));
   }
-  if (arguments.has("cell")) keep(problems, parseWhole(arguments.get("cell"), 16, 2048, "--cell"), plan.cell);
+  if (arguments.has("cell")) keepSize(parseWhole(arguments.get("cell"), 16, 2048, "--cell"), plan.cell);
   plan.transpose = arguments.has("transpose");
   plan.output = arguments.get("output");
   keep(problems, checkOutput(plan.output, "--output"), plan.kind);
@@ -106,6 +111,7 @@ Result<Plan> parsePlan(const Arguments& arguments) {
   const size_t down = (plan.models.size() + (plan.against ? 1 : 0)) * (plan.sweeps.size() == 2 ? size_t(plan.sweeps[1].count) : 1);
   const size_t across = plan.sweeps.empty() ? plan.materials.size() : size_t(plan.sweeps[0].count);
   const size_t longest = std::max(down * (plan.against ? 2 : 1), across) * size_t(plan.cell);
+  if (!sized) return problems;
   if (down * across > size_t(kMostCells))
     problems.push_back(error("--models", fmt::format("{} cells", down * across), fmt::format("a comparison has at most {}", kMostCells)));
   else if (longest > size_t(kLargestPictureSide))

@@ -90,8 +90,17 @@ int run(const Arguments& arguments) {
   auto material = loadMaterial(arguments.get("material"), nodes, &warnings);
   log::report(warnings);
   if (!material) return badInput(material.diagnostics());
-  const auto model = models.get(arguments.get("model", material->model));
-  if (!model) return badInput(model.diagnostics());
+  const std::string id = arguments.get("model", material->model);
+  const auto model = models.get(id);
+  if (!model) {
+    Diagnostics faults = model.diagnostics();
+    for (Diagnostic& d : faults)
+      if (d.place == "model '" + id + "'") {
+        d.place = arguments.has("model") ? "--model" : material->modelPlace();
+        d.what = fmt::format("unknown shading model '{}'", id);
+      }
+    return badInput(faults);
+  }
   warnings.clear();
   const auto compiled = compileMaterial(*material, **model, nodes, functions, {}, &warnings);
   log::report(warnings);

@@ -141,7 +141,7 @@ int run(const Arguments& arguments) {
   if (missing.size() > kMostReported) {
     const size_t more = missing.size() - kMostReported;
     missing.resize(kMostReported);
-    missing.push_back(warning(file, fmt::format("{} more are not evaluated", more), ""));
+    missing.push_back(warning(file, fmt::format("{} more are not evaluated", more), "the first are named above"));
   }
   log::report(missing);
   return missing.empty() ? kDone : kVerdictNo;

@@ -1,6 +1,7 @@
 // glint nodes: every kind of node that a material's graph can have.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
@@ -60,13 +61,26 @@ std::string signature(const NodePins& pins) {
 }
 
 void printKind(const NodeKind& kind, const NodePins& pins) {
+  // As wide as what stands in them.
+  size_t names = 0, types = 6, standards = 0;  // "choice"
+  const auto widen = [&](const std::string& title, std::string_view type, const std::string& standard) {
+    names = std::max(names, title.size());
+    types = std::max(types, type.size());
+    standards = std::max(standards, standard.size());
+  };
+  for (const Pin& pin : pins.inputs) widen(pin.name, name(pin.type), standardText(pin));
+  for (const Pin& pin : pins.outputs) widen(pin.name, name(pin.type), "");
+  for (const SettingInfo& setting : kind.settings) widen(setting.name, "", setting.standard.text);
+  const auto line = [&](const char* what, const std::string& title, std::string_view type, const std::string& standard, const std::string& doc) {
+    std::string text = fmt::format("  {}  {:<{}}  {:<{}}  {:<{}}  {}", what, title, names, type, types, standard, standards, doc);
+    text.erase(text.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", text);
+  };
   fmt::print("{} ({})\n{}\n", kind.id, kind.title, kind.doc);
-  for (const Pin& pin : pins.inputs)
-    fmt::print("  in   {:<16}{:<10}{:<16}{}\n", pin.name, name(pin.type), standardText(pin), pin.doc);
-  for (const Pin& pin : pins.outputs) fmt::print("  out  {:<16}{:<10}{:<16}{}\n", pin.name, name(pin.type), "", pin.doc);
+  for (const Pin& pin : pins.inputs) line("in ", pin.name, name(pin.type), standardText(pin), pin.doc);
+  for (const Pin& pin : pins.outputs) line("out", pin.name, name(pin.type), "", pin.doc);
   for (const SettingInfo& setting : kind.settings)
-    fmt::print("  set  {:<16}{:<10}{:<16}{}\n", setting.name, setting.values.empty() ? "" : "choice",
-               setting.standard.text, setting.doc);
+    line("set", setting.name, setting.values.empty() ? "" : "choice", setting.standard.text, setting.doc);
   if (!kind.file.empty()) fmt::print("  {}\n", kind.file);
 }
 

@@ -192,7 +192,7 @@ Diagnostics Document::open(const std::filesystem::path& path, Diagnostics& warni
     return {};
   }
   const Json *inner = json->find("material"), *preview = json->find("preview");
-  if (!inner || !inner->isObject()) return {error(path.string(), "a project needs its 'material', an object")};
+  if (!inner || !inner->isObject()) return {error(path.string(), "a project needs its 'material', an object", "open the material's own file")};
   auto material = parseMaterial(writeJson(*inner), file, nodes_, &warnings);
   if (!material) return material.diagnostics();
   material->file = file;

@@ -76,7 +76,7 @@ struct Reader {
     const Json* found = get(key, &Json::isArray, "three numbers");
     if (!found) return;
     if (found->items.size() != 3 || !std::all_of(found->items.begin(), found->items.end(), [](const Json& j) { return j.isNumber(); })) {
-      warnings.push_back(warning(place + ":" + std::to_string(found->line), "'" + std::string(key) + "' must be three numbers"));
+      warnings.push_back(warning(place + ":" + std::to_string(found->line), "'" + std::string(key) + "' must be three numbers", "its default is used"));
       return;
     }
     for (int i = 0; i < 3; ++i) value[i] = std::clamp(float(found->items[size_t(i)].number), -1e6f, 1e6f);

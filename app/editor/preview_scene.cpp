@@ -120,7 +120,7 @@ void PreviewScene::update(const FrameRequest& request) {
   std::erase_if(surfaces_, [&](const auto& item) { return !usedSurfaces_.count(item.first); });
 
   if (request.wantCode) {
-    const ModelPtr own = model(request, request.material->model, request.material->place());
+    const ModelPtr own = model(request, request.material->model, request.material->modelPlace());
     if (own && (codeRevision_ != request.materialRevision || codeModel_ != own->hash || code.empty())) {
       codeRevision_ = request.materialRevision;
       codeModel_ = own->hash;
@@ -250,7 +250,7 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
   for (const Column& column : columns) names.push_back(column.title);
   made.columnTitles = distinctTitles(names);
   for (const std::string& id : ids) {
-    const ModelPtr shading = model(request, id, id == request.material->model ? request.material->place() : "comparison");
+    const ModelPtr shading = model(request, id, id == request.material->model ? request.material->modelPlace() : "comparison");
     if (id == request.material->model) ownRow = made.rows();
     made.rowTitles.push_back(shading ? shading->title : id);
     for (const Column& column : columns) {
@@ -305,7 +305,7 @@ void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
   const auto draw = [&](const std::string& slot, const MaterialPtr& material, uint64_t revision) {
     State state;
     const SurfaceMaterial* drawn = nullptr;
-    if (const ModelPtr shading = model(request, material->model, material->place())) drawn = surface(slot, material, revision, shading, {}, state);
+    if (const ModelPtr shading = model(request, material->model, material->modelPlace())) drawn = surface(slot, material, revision, shading, {}, state);
     else state = {State::NotDrawn, "unknown shading model '" + material->model + "'"};
     if (state.kind > whole.kind) whole = state;
     return drawn;

@@ -33,6 +33,12 @@ size_t editDistance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::string withArticle(std::string_view noun) {
+  const size_t first = noun.find_first_not_of("'\"");
+  const bool vowel = first != noun.npos && std::string_view("aeioAEIO").find(noun[first]) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
 std::string nearest(const std::string& name, const std::vector<std::string>& names) {
   if (name.size() > 200) return {};
   std::string best;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -60,6 +61,9 @@ class [[nodiscard]] Result {
  private:
   std::variant<T, Diagnostics> state_;
 };
+
+// A noun with its article, "an 'output'": quotes are looked through. For names of kinds and types.
+std::string withArticle(std::string_view noun);
 
 // The member of `names` nearest to `name` by edit distance, or "" when none is near: for hints.
 std::string nearest(const std::string& name, const std::vector<std::string>& names);

@@ -19,7 +19,7 @@ Result<std::string> readFile(const fs::path& path, uint64_t cap) {
   if (fs::is_directory(status)) return error(path.string(), "is a folder", "name a file");
   if (!fs::is_regular_file(status)) return error(path.string(), "is not a regular file", "name a file");
   const uint64_t size = fs::file_size(path, code);
-  if (code) return error(path.string(), "cannot be read: " + code.message());
+  if (code) return error(path.string(), "cannot be read: " + code.message(), "check the path and its permissions");
   if (size > cap)
     return error(path.string(), fmt::format("is {} bytes long", size),
                  fmt::format("at most {} are read", cap));

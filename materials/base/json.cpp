@@ -82,9 +82,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     // parser's own line, which is not the file's; ours replaces it.
     std::string what = e.what();
     if (what.starts_with("[json.exception.out_of_range"))
-      return fail(lineBefore(std::min(position, text_.size())), "a number is out of range", "");
+      return fail(lineBefore(std::min(position, text_.size())), "a number is out of range", kRangeHint);
     if (const size_t colon = what.find(": "); colon != what.npos) what.erase(0, colon + 2);
-    return fail(lineBefore(std::min(position, text_.size())), "not valid JSON: " + clip(what), "");
+    return fail(lineBefore(std::min(position, text_.size())), "not valid JSON: " + clip(what), syntaxHint(what));
   }
 
  private:
@@ -93,6 +93,14 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     std::unordered_set<std::string> seen;
   };
 
+  static constexpr const char* kRangeHint = "numbers go up to about 1e308";
+  // What to look for where the parser stopped.
+  std::string syntaxHint(const std::string& what) const {
+    if (text_.find_first_not_of(" \t\r\n") == text_.npos) return "the file is empty";
+    if (what.find("UTF-8") != what.npos) return "save the file as UTF-8";
+    if (what.find("unexpected end of input") != what.npos) return "the text ends too early: look for a bracket or a quote that is not closed";
+    return "look for a comma, a quote or a bracket that is missing or too many";
+  }
   static std::string clip(std::string s) {
     if (s.size() > 200) s = s.substr(0, 200) + "...";
     for (char& c : s)
@@ -112,7 +120,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool addNumber(double value, std::string spelling) {
     const int line = lineBefore(consumed);
-    if (!std::isfinite(value)) return fail(line, "number " + clip(spelling) + " is out of range", "");
+    if (!std::isfinite(value)) return fail(line, "number " + clip(spelling) + " is out of range", kRangeHint);
     Json json{.kind = Json::Kind::Number, .number = value, .text = std::move(spelling)};
     json.line = line;
     return place(std::move(json)) != nullptr;
@@ -124,14 +132,14 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool open(Json json) {
     json.line = lineBefore(consumed);
     if (static_cast<int>(stack_.size()) >= limits_.depth)
-      return fail(json.line, fmt::format("nested deeper than {} levels", limits_.depth), "");
+      return fail(json.line, fmt::format("nested deeper than {} levels", limits_.depth), "take a level out");
     Json* placed = place(std::move(json));
     if (placed) stack_.push_back({placed, {}});
     return placed != nullptr;
   }
   Json* place(Json json) {
     if (++values_ > limits_.values) {
-      fail(json.line, fmt::format("more than {} values", limits_.values), "");
+      fail(json.line, fmt::format("more than {} values", limits_.values), "split the file");
       return nullptr;
     }
     // A parent's items never grow while a child of it is open, so pointers on the stack stay good.
@@ -294,16 +302,28 @@ std::string_view name(Json::Kind kind) {
   return "";
 }
 
+std::string writtenAs(Json::Kind kind) {
+  switch (kind) {
+    case Json::Kind::Null: return "write null";
+    case Json::Kind::Bool: return "write true or false";
+    case Json::Kind::Number: return "write a number without quotes, for example 0.5";
+    case Json::Kind::String: return "put it in quotes: \"...\"";
+    case Json::Kind::Array: return "write [...]";
+    case Json::Kind::Object: return "write {...}";
+  }
+  return "";
+}
+
 Result<Json> parseJson(std::string_view text, const std::string& file, int firstLine,
                        const JsonLimits& limits) {
   if (text.size() > limits.bytes)
-    return error(file, fmt::format("{} bytes, more than the {} that are read", text.size(), limits.bytes));
+    return error(file, fmt::format("{} bytes, more than the {} that are read", text.size(), limits.bytes), "split the file");
   Builder builder(text, file, firstLine, limits);
   const bool ok = nlohmann::json::sax_parse(Cursor{text.data(), &builder.consumed},
                                             Cursor{text.data() + text.size(), nullptr}, &builder);
   if (ok && builder.problems.empty()) return std::move(builder.result);
   if (builder.problems.empty())
-    builder.problems.push_back(error(fmt::format("{}:{}", file, firstLine), "not valid JSON"));
+    builder.problems.push_back(error(fmt::format("{}:{}", file, firstLine), "not valid JSON", "write one JSON value"));
   return std::move(builder.problems);
 }
 

@@ -49,6 +49,9 @@ struct Json {
 
 std::string_view name(Json::Kind);  // "an object", "a number": for diagnostics
 
+// How a value of that kind is written, for hints: "write a number, for example 0.5".
+std::string writtenAs(Json::Kind);
+
 struct JsonLimits {
   size_t bytes = size_t{16} << 20;
   size_t values = 2'000'000;

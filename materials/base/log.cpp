@@ -1,5 +1,6 @@
 #include "materials/base/log.h"
 
+#include <algorithm>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -50,7 +51,9 @@ void report(const Diagnostic& d) {
 }
 
 void report(const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics) report(d);
+  // What several cells or rows have in common is said once.
+  for (auto d = diagnostics.begin(); d != diagnostics.end(); ++d)
+    if (std::find(diagnostics.begin(), d, *d) == d) report(*d);
 }
 
 void progress(const std::string& what, double fraction) {

@@ -1,6 +1,9 @@
 // The command line as a whole: what is common to every command.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "app/command.h"
 #include "tests/support/program.h"
 
@@ -8,6 +11,7 @@ namespace glint {
 namespace {
 
 using testing_support::glint;
+using testing_support::scratch;
 
 TEST(CommandLine, UnknownCommandNamesTheNearest) { EXPECT_BAD_INPUT(glint({"inf"}), "inf", "did you mean 'info'?"); }
 
@@ -84,6 +88,74 @@ TEST(CommandLine, NoContextIsThree) {
   EXPECT_EQ(ran.code, 3) << ran.err;
   EXPECT_EQ(ran.out, "");
   EXPECT_EQ(ran.err.rfind("glint: error: ", 0), 0u) << ran.err;
+}
+
+// Each fault is one line, and each line says what to do.
+TEST(CommandLine, EveryErrorHasItsHint) {
+  const auto file = [](const std::string& name, const std::string& text) { std::ofstream(scratch() / name) << text; };
+  const auto material = [&](const std::string& name, const std::string& rest) {
+    file(name, "{\"glint\": \"material\", \"version\": 1, \"name\": \"m\",\n" + rest + "}");
+  };
+  std::filesystem::create_directories(scratch() / "models");
+  file("models/broken.glsl", "/*glint { \"id\": \"broken\" } */\nvec3 specular(Shading s, Parameters p) { return s.nope; }\n");
+  file("models/bare.glsl", "/*glint { \"id\": \"bare\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"},\n\"parameters\": [{\"name\": \"t\", \"type\": \"float\", \"min\": \"0\"}] } */\n");
+  file("cut.json", "{ \"glint\": \"material\",\n");
+  file("deep.json", std::string(200, '['));
+  file("huge.json", "{\"glint\": \"material\", \"version\": 1e999}");
+  material("kind.json", "\"nodes\": {\"out\": {\"kind\": 3}, \"b\": {}}, \"layout\": {\"out\": 1}");
+  material("model.json", "\"model\": \"nope\", \"nodes\": {\"out\": {\"kind\": \"output\"}}");
+  material("picture.json",
+           "\"nodes\": {\"out\": {\"kind\": \"output\", \"inputs\": {\"baseColor\": \"t.color\"}},\n\"t\": {\"kind\": \"texture-sample\", \"file\": \"none.png\"}}");
+  material("layer.json",
+           "\"nodes\": {\"out\": {\"kind\": \"output\", \"inputs\": {\"attributes\": \"l.attributes\"}},\n\"l\": {\"kind\": \"layer\", \"function\": \"chip-mask\"}}");
+  material("types.json",
+           "\"nodes\": {\"out\": {\"kind\": \"output\", \"inputs\": {\"baseColor\": \"a.attributes\"}},\n\"a\": {\"kind\": \"make-attributes\"}}");
+  struct Case {
+    std::vector<std::string> arguments;
+    std::vector<std::string> says;
+    int lines = 1;
+  };
+  const Case cases[] = {
+      {{"edit", "nothere.json"}, {"nothere.json: no such file; "}},
+      {{"compile", "cut.json"}, {"cut.json:1: not valid JSON"}},
+      {{"compile", "deep.json"}, {"deep.json:1: nested deeper"}},
+      {{"compile", "huge.json"}, {"huge.json:1: "}},
+      {{"compile", "kind.json"}, {"'kind' must be a string", "has no 'kind'", "layout of 'out'"}, 3},
+      {{"compile", "model.json"}, {"model.json:2: unknown shading model 'nope'"}},
+      {{"render", "model.json", "-o", "x.png"}, {"model.json:2: unknown shading model 'nope'"}},
+      {{"render", "picture.json", "-o", "x.png"}, {"picture.json:3: node 't': texture ", "none.png: no such file"}},
+      {{"compile", "layer.json"}, {"'chip-mask' is a function, not a layer"}},
+      {{"compile", "types.json"}, {"attributes cannot go into a color"}},
+      {{"--models-dir", "models", "render", "--model", "bare", "-o", "x.png"}, {"'default' is missing", "'min' must be a number"}, 2},
+      {{"--models-dir", "models", "compare", "--models", "broken", "--sweep", "roughness=0..1:5", "--cell", "16", "-o", "x.png"}, {"broken.glsl:2: "}},
+      {{"compare", "--models", "ggx", "--cell", "2048", "--sweep", "roughness=0..1:100", "-o", "x.png"}, {"a sweep of 100 values"}},
+      {{"render", "--model", "burley:gamma=x", "-o", "x.png"}, {"'x' is not a float for gamma"}},
+      {{"render", "--view", "foo", "-o", "x.png"}, {"lightCount"}},
+  };
+  for (const Case& one : cases) {
+    const auto ran = glint(one.arguments);
+    EXPECT_EQ(ran.code, 2) << ran.err;
+    const auto lines = ran.errorLines();
+    EXPECT_EQ(int(lines.size()), one.lines) << ran.err;
+    for (const std::string& line : lines) EXPECT_NE(line.find("; "), std::string::npos) << line;
+    for (const std::string& text : one.says) EXPECT_NE(ran.err.find(text), std::string::npos) << text << "\n" << ran.err;
+  }
+}
+
+TEST(CommandLine, ColumnsOfNodesStandApart) {
+  const std::string out = glint({"nodes", "output"}).out;
+  EXPECT_NE(out.find("ambientOcclusion  float"), std::string::npos) << out;
+  EXPECT_NE(glint({"render", "--help"}).out.find("lightCount"), std::string::npos);
+}
+
+// Cases that others compare do not change with the user's folder.
+TEST(CommandLine, BenchOfFourModelsIsOfShippedOnes) {
+  std::filesystem::create_directories(scratch() / "models");
+  ASSERT_EQ(glint({"new-model", "aaa", "--models-dir", "models"}).code, 0);
+  const auto with = glint({"--models-dir", "models", "bench", "--list"}), without = glint({"bench", "--list"});
+  const auto four = [](const std::string& list) { return list.substr(list.find("models.4")); };
+  EXPECT_NE(with.out.find("model.aaa"), std::string::npos) << with.out << with.err;
+  EXPECT_EQ(four(with.out), four(without.out));
 }
 
 // An option that may be repeated takes one word each time, not the file after it.

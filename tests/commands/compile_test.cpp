@@ -39,7 +39,7 @@ TEST(CompileCommand, Json) {
 TEST(CompileCommand, BadInputIsOneLineAndWritesNothing) {
   EXPECT_BAD_INPUT(glint({"compile", "aluminum", "-o", "x.glsl"}), "material 'aluminum'", "did you mean 'aluminium'?");
   EXPECT_BAD_INPUT(glint({"compile", "black", "--target", "spirv", "-o", "x.glsl"}), "--target", "use glsl");
-  EXPECT_BAD_INPUT(glint({"compile", "black", "--model", "ggy", "-o", "x.glsl"}), "model 'ggy'", "ggx");
+  EXPECT_BAD_INPUT(glint({"compile", "black", "--model", "ggy", "-o", "x.glsl"}), "--model", "ggx");
   EXPECT_BAD_INPUT(glint({"compile", "missing.json", "-o", "x.glsl"}), "missing.json", "no such file");
   write("broken.json", "{\"glint\": \"material\",\n \"version\": 1,\n \"nodes\": [}");
   EXPECT_BAD_INPUT(glint({"compile", "broken.json", "-o", "x.glsl"}), "broken.json:3", "not valid JSON");

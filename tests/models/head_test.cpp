@@ -237,16 +237,21 @@ TEST(Terms, AreThoseOfTheFiles) {
   for (const Term& term : terms()) EXPECT_NE(term.doc, "") << term.function() << " has no citation above it";
 }
 
+// Every line of a driver gets the same advice.
+Diagnostic fault(const char* place, const char* what) {
+  return error(place, what, "'glint new-model ID' writes a start that lists what a plugin can use");
+}
+
 TEST(ModelErrors, DriversFormats) {
   const auto model = parseModel("m.glsl", plugin("", "float f() { return 1.0; }\n"));
   ASSERT_TRUE(model);
   const auto first = [&](const std::string& log) { return modelErrors(*model, log)[0]; };
-  EXPECT_EQ(first("0:100005(12): error: `x' undeclared\n"), error("m.glsl:5", "`x' undeclared"));
-  EXPECT_EQ(first("7(100005) : error C1008: undefined variable \"x\"\n"), error("m.glsl:5", "undefined variable \"x\""));
-  EXPECT_EQ(first("ERROR: 7:100005: 'x' : undeclared identifier\n"), error("m.glsl:5", "'x' : undeclared identifier"));
-  EXPECT_EQ(first("0:12(3): error: no function 'D'"), error("m.glsl (generated, line 12)", "no function 'D'"));
-  EXPECT_EQ(first("0:100001(1): warning: w\n0:100005(2): error: e\n"), error("m.glsl:5", "e"));
-  EXPECT_EQ(first("error: linking failed"), error("m.glsl (generated)", "linking failed"));
+  EXPECT_EQ(first("0:100005(12): error: `x' undeclared\n"), fault("m.glsl:5", "`x' undeclared"));
+  EXPECT_EQ(first("7(100005) : error C1008: undefined variable \"x\"\n"), fault("m.glsl:5", "undefined variable \"x\""));
+  EXPECT_EQ(first("ERROR: 7:100005: 'x' : undeclared identifier\n"), fault("m.glsl:5", "'x' : undeclared identifier"));
+  EXPECT_EQ(first("0:12(3): error: no function 'D'"), fault("m.glsl (generated, line 12)", "no function 'D'"));
+  EXPECT_EQ(first("0:100001(1): warning: w\n0:100005(2): error: e\n"), fault("m.glsl:5", "e"));
+  EXPECT_EQ(first("error: linking failed"), fault("m.glsl (generated)", "linking failed"));
   EXPECT_EQ(first("0:199999(1): error: after the end").place, "m.glsl:6") << "the last line there is";
   EXPECT_THAT(first("").what, HasSubstr("did not say why"));
   // Recursion between overloads and functions without a body are found when a program is linked.
@@ -267,7 +272,7 @@ TEST(ModelErrors, OneForEachFault) {
                         "0:100007(3): error: `x' undeclared\n"
                         "0:100008(3): error: `x' undeclared\n"
                         "0:100009(3): error: no matching function for call to `f(error)'; candidates are:\n"),
-            (Diagnostics{error("m.glsl:6", "no matching function for call to `max(vec3, Shading)'"), error("m.glsl:7", "`x' undeclared")}));
+            (Diagnostics{fault("m.glsl:6", "no matching function for call to `max(vec3, Shading)'"), fault("m.glsl:7", "`x' undeclared")}));
 }
 
 // Whatever the bytes, an answer comes: a model, or faults with places.

@@ -115,7 +115,7 @@ TEST_F(Surfaces, AMissingTextureIsAnErrorAtItsNodeAndLoud) {
   const SurfaceMaterial surface = make(textured("nowhere.png"));
   ASSERT_EQ(problems_.size(), 1u);
   EXPECT_EQ(problems_[0].severity, Severity::Error);
-  EXPECT_THAT(problems_[0].place, HasSubstr("textured: node 'picture'"));
+  EXPECT_THAT(problems_[0].place, HasSubstr("textured.json: node 'picture'"));
   EXPECT_THAT(problems_[0].what, HasSubstr("nowhere.png"));
   ASSERT_EQ(surface.textures.size(), 1u);
   EXPECT_EQ(surface.textures[0], missingTexture());
