@@ -99,6 +99,7 @@ class Checker {
     if (!faults_.empty()) return faults_;
     each("buffers", &Checker::checkBuffer);
     each("bufferViews", &Checker::checkBufferView);
+    reportShortBuffers();
     each("accessors", &Checker::checkAccessor);
     each("images", &Checker::checkImage);
     each("samplers", &Checker::checkSampler);
@@ -160,6 +161,7 @@ class Checker {
   std::optional<uint64_t> indexOf(const Json& value, const std::string& path, const char* list) {
     const auto i = wholeOf(value, path, kLargestFile);
     if (!i || *i < count(list)) return i;
+    if (count(list) == 0 && !missingLists_.insert(list).second) return {};  // reported where it was first missed
     fault(value, path, fmt::format("is {}, but there are {} {}", *i, count(list), list));
     return {};
   }
@@ -220,17 +222,21 @@ class Checker {
   }
 
   void checkBuffer(const Json& buffer, const std::string& path, size_t i) {
+    buffers_.emplace_back();
+    const size_t before = faults_.size() + dropped_;
     const auto length = whole(buffer, path, "byteLength", true);
-    bufferBytes_.push_back(length.value_or(0));
-    if (!length) return;
-    if (*length == 0) return fault(buffer, path + ".byteLength", "is 0");
+    if (length) checkBufferBytes(buffer, path, i, *length);
+    if (faults_.size() + dropped_ == before) buffers_.back().bytes = length;
+  }
+  void checkBufferBytes(const Json& buffer, const std::string& path, size_t i, uint64_t length) {
+    if (length == 0) return fault(buffer, path + ".byteLength", "is 0");
     const Json* uri = member(buffer, path, "uri", Json::Kind::String);
     if (buffer.find("uri") && !uri) return;
     if (!uri) {
       if (!binary_ || i != 0)
         fault(buffer, path, "has no 'uri'");
-      else if (binBytes_ < *length)
-        fault(buffer, path + ".byteLength", fmt::format("is {}, but the file's binary chunk holds {} bytes", *length, binBytes_),
+      else if (binBytes_ < length)
+        fault(buffer, path + ".byteLength", fmt::format("is {}, but the file's binary chunk holds {} bytes", length, binBytes_),
               "copy or export the file again");
       return;
     }
@@ -239,8 +245,8 @@ class Checker {
     } else if (const auto found = checkFile(*uri, path + ".uri")) {
       std::error_code code;
       const uint64_t size = fs::file_size(*found, code);
-      if (!code && size != *length)
-        fault(buffer, path + ".byteLength", fmt::format("is {}, but '{}' holds {} bytes", *length, uri->text.substr(0, 80), size),
+      if (!code && size != length)
+        fault(buffer, path + ".byteLength", fmt::format("is {}, but '{}' holds {} bytes", length, uri->text.substr(0, 80), size),
               "copy or export the files again");
     }
   }
@@ -287,11 +293,25 @@ class Checker {
     const auto stride = view.find("byteStride") ? whole(view, path, "byteStride") : 0;
     if (!buffer || !length || !offset || !stride) return;
     if (*length == 0) return fault(view, path + ".byteLength", "is 0");
-    if (*offset + *length > bufferBytes_[*buffer])
-      return fault(view, path, fmt::format("ends at byte {} of buffers[{}], which has {}", *offset + *length, *buffer, bufferBytes_[*buffer]));
+    Buffer& held = buffers_[*buffer];
+    if (held.bytes && *offset + *length > *held.bytes) {
+      if (held.over++ == 0) held.first = {&view, path, *offset + *length};
+      return;
+    }
     if (*stride != 0 && (*stride < 4 || *stride > 252 || *stride % 4 != 0))
       return fault(view, path + ".byteStride", fmt::format("is {}, not a multiple of 4 from 4 to 252", *stride));
     views_.back() = {*length, *stride, true};
+  }
+
+  // A buffer that is too short is one fault, however many of its views go over its end.
+  void reportShortBuffers() {
+    for (size_t i = 0; i < buffers_.size(); ++i) {
+      const Buffer& buffer = buffers_[i];
+      if (buffer.over == 0) continue;
+      const std::string others = buffer.over > 1 ? fmt::format("; {} more of its views go over the end", buffer.over - 1) : "";
+      fault(*buffer.first.view, buffer.first.path,
+            fmt::format("ends at byte {} of buffers[{}], which has {}{}", buffer.first.end, i, *buffer.bytes, others));
+    }
   }
 
   struct Accessor {
@@ -455,7 +475,7 @@ class Checker {
         fault(attributes->items[i], here, fmt::format("is of type {} with component type {}, {}", accessor.type, accessor.component, wrong));
       if (vertices && *vertices != accessor.count)
         fault(attributes->items[i], here, fmt::format("has {} elements, other attributes have {}", accessor.count, *vertices));
-      vertices = accessor.count;
+      if (!vertices) vertices = accessor.count;
     }
     if (!attributes->find("POSITION")) fault(*attributes, path, "has no POSITION");
     if (!primitive.find("indices")) return;
@@ -552,7 +572,17 @@ class Checker {
   Diagnostics& warnings_;
   Diagnostics faults_;
   size_t dropped_ = 0;
-  std::vector<uint64_t> bufferBytes_;
+  struct Buffer {
+    std::optional<uint64_t> bytes;  // none where its own fault is reported: its views are not judged by it
+    size_t over = 0;                // its views that go over its end, and the first of them
+    struct {
+      const Json* view = nullptr;
+      std::string path;
+      uint64_t end = 0;
+    } first;
+  };
+  std::vector<Buffer> buffers_;
+  std::set<std::string> missingLists_;
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
 };
