@@ -458,6 +458,18 @@ bool GraphEditor::modified() const {
   return !savedPosition_ || *savedPosition_ != position_ || (depth_ > 0 && !gesture_.empty());
 }
 
+void GraphEditor::rewriteNodes(const std::function<void(Node&)>& change) {
+  GLINT_CHECK(depth_ == 0, "rewriteNodes() within a gesture");
+  for (auto& [id, node] : material_.nodes) change(node);
+  for (Edit& edit : history_)
+    for (auto& [id, node] : edit.nodes) {
+      if (node.before) change(*node.before);
+      if (node.after) change(*node.after);
+    }
+  ++revision_;
+  ++meaningRevision_;
+}
+
 void GraphEditor::markSaved(const std::filesystem::path& file) {
   if (!file.empty()) material_.file = file;
   savedPosition_ = position_;

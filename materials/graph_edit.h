@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -105,6 +106,8 @@ class GraphEditor {
   uint64_t meaningRevision() const { return meaningRevision_; }
   // Whether the material differs from when markSaved() was last called, or from the start.
   bool modified() const;
+  // Changes nodes in every state that undo and redo reach, without a step: where their files lie, after these moved.
+  void rewriteNodes(const std::function<void(Node&)>&);
   void markSaved(const std::filesystem::path& file = {});
 
  private:

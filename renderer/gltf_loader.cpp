@@ -404,4 +404,20 @@ Result<GltfFile> parseGltf(std::string_view bytes, const fs::path& path, Diagnos
   return file;
 }
 
+Result<std::vector<GltfPicture>> gltfPictures(const fs::path& path) {
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes.diagnostics();
+  Diagnostics warnings;
+  Result<CheckedGltf> checked = checkGltf(*bytes, path, warnings);
+  if (!checked) return checked.diagnostics();
+  const Result<tinygltf::Model> model = parse(*bytes, path, *checked);
+  if (!model) return model.diagnostics();
+  std::vector<GltfPicture> pictures;
+  for (const tinygltf::Image& image : model->images) {
+    const bool named = !image.name.empty() || image.uri.starts_with("data:");
+    pictures.push_back({named ? image.name : fs::path(image.uri).filename().string(), {image.image.begin(), image.image.end()}});
+  }
+  return pictures;
+}
+
 }  // namespace glint

@@ -69,4 +69,12 @@ Result<GltfFile> loadGltf(const std::filesystem::path&, Diagnostics& warnings);
 // The same for bytes that are there already; the path names them, and its folder is where other files are sought.
 Result<GltfFile> parseGltf(std::string_view bytes, const std::filesystem::path&, Diagnostics& warnings);
 
+// A picture as the file has it, not decoded.
+struct GltfPicture {
+  std::string name;                     // what the file calls it, untrusted; may be empty
+  std::string bytes;                    // PNG or JPEG by what the file says; empty where it has none
+};
+// images[0], [1], .. of a model, whether a material uses them or not. Errors as loadGltf().
+Result<std::vector<GltfPicture>> gltfPictures(const std::filesystem::path&);
+
 }  // namespace glint
