@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/material_files.h"
 #include "materials/base/files.h"
 #include "materials/material_json.h"
 
@@ -130,9 +131,12 @@ void Document::leave() {
 void Document::record() {
   if (!keptPreview_ || !keptPreview_->sameSettings(preview_)) keepScene();
   if (!modified()) return journal_.clear();
+  std::vector<std::string> named;
+  for (const auto& file : named_) named.push_back(file.string());
   note(journal_.append({.file = file_.string(), .name = material().name,
                    .label = position_ ? steps_[position_ - 1].label : "", .steps = int(position_),
-                   .material = materialText(material()), .preview = writeJson(previewJson(preview_))}));
+                   .material = materialText(material()), .preview = writeJson(previewJson(preview_)),
+                   .named = std::move(named)}));
 }
 
 void Document::note(const Diagnostics& problems) {
@@ -166,10 +170,17 @@ void Document::reset(Material material, const Preview& preview, const std::files
   project_ = project;
   keptPreview_.reset();
   problems_.clear();
+  saveProblems_.clear();
+  named_.clear();
   journal_.clear();
 }
 
 void Document::startNew(Material material, const Preview& preview) { reset(std::move(material), preview, {}, false); }
+
+std::filesystem::path Document::nameFile(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return *named_.insert(std::filesystem::absolute(path, ignored).lexically_normal()).first;
+}
 
 Diagnostics Document::open(const std::filesystem::path& path, Diagnostics& warnings) {
   std::error_code ignored;
@@ -201,12 +212,12 @@ Diagnostics Document::open(const std::filesystem::path& path, Diagnostics& warni
   return {};
 }
 
-std::string Document::projectText() const {
+std::string Document::projectText(const Material& material) const {
   Json json = Json::object();
   json.set("glint", Json::of("project"));
   json.set("version", Json::of(1));
-  auto material = parseJson(materialText(graph_->material()), "material");
-  json.set("material", std::move(*material));
+  auto inner = parseJson(materialText(material), "material");
+  json.set("material", std::move(*inner));
   json.set("preview", previewJson(preview_));
   return writeJson(json);
 }
@@ -217,8 +228,8 @@ Diagnostics Document::saveAs(const std::filesystem::path& path, bool project) {
   hold(false);
   std::error_code ignored;
   const std::filesystem::path file = std::filesystem::absolute(path, ignored);
-  Diagnostics problems = writeFileAtomic(file, project ? projectText() : materialText(graph_->material()));
-  if (!problems.empty()) return problems;
+  saveProblems_ = write(file, project);
+  if (!saveProblems_.empty()) return saveProblems_;
   graph_->markSaved(file);
   savedMaterialKnown_ = true;
   savedPreview_ = preview_;
@@ -230,17 +241,44 @@ Diagnostics Document::saveAs(const std::filesystem::path& path, bool project) {
   return {};
 }
 
+Diagnostics Document::write(const std::filesystem::path& file, bool project) {
+  // A model that is shown has been named as much as one whose material was taken.
+  std::set<std::filesystem::path> named = named_;
+  if (const std::filesystem::path mesh = preview_.mesh; mesh.is_absolute()) named.insert(mesh.lexically_normal());
+  MaterialFiles files(nodes_, std::move(named));
+  const auto moved = files.gather(material(), file);
+  if (!moved) return moved.diagnostics();
+  // What only undo or redo brings back has to be found from the new place as well.
+  std::vector<const Node*> past;
+  for (const Edit& edit : graph_->history())
+    for (const auto& [id, change] : edit.nodes)
+      for (const auto* node : {&change.before, &change.after})
+        if (*node) past.push_back(&**node);
+  files.gatherPast(past);
+  Diagnostics problems = writeFileAtomic(file, project ? projectText(*moved) : materialText(*moved));
+  if (!problems.empty()) return problems;
+  files.keep();
+  for (const auto& outside : files.leftOutside()) nameFile(outside);
+  if (files.movesAny()) graph_->rewriteNodes([&](Node& node) { files.rewrite(node); });
+  return {};
+}
+
 Diagnostics Document::recover(const Journal::Record& record) {
   Diagnostics warnings;
   auto material = parseMaterial(record.material, record.file.empty() ? "journal" : record.file, nodes_, &warnings);
   if (!material) return material.diagnostics();
   // The file may have gone; what the journal kept is whole without it.
   const bool based = !record.file.empty() && open(record.file, warnings).empty();
+  const auto name = [&] {
+    for (const std::string& file : record.named) nameFile(file);
+  };
   if (based) {
     material->file = file_;
+    name();
     edit("Recover", [&](GraphEditor& graph) { return graph.replaceAll(*material, "Recover"); });
   } else {
     reset(std::move(*material), preview_, {}, false);
+    name();
   }
   savedMaterialKnown_ = false;
   if (const auto json = parseJson(record.preview, "journal")) preview_ = previewFrom(*json, "journal", warnings);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -66,9 +67,17 @@ class Document {
   std::string name() const;                                      // "aluminium.json"
   std::string title() const;                                     // the same, with a star when modified
   void startNew(Material, const Preview&);                       // unsaved
+  // Files that the user chose or dropped, and models whose material he took: the material may use them wherever they
+  // lie, until saving takes them along. To be told before the edit that brings them in, which spells them as this
+  // gives them back.
+  std::filesystem::path nameFile(const std::filesystem::path&);
+  const std::set<std::filesystem::path>& namedFiles() const { return named_; }
   Diagnostics open(const std::filesystem::path&, Diagnostics& warnings);
-  Diagnostics save();                                            // to file()
+  // To file(). The pictures and functions that the material uses go along (app/material_files.h), and the document goes
+  // on with them, in all its history. When anything fails, nothing is written and nothing changes; see saveProblems().
+  Diagnostics save();
   Diagnostics saveAs(const std::filesystem::path&, bool project);
+  const Diagnostics& saveProblems() const { return saveProblems_; }   // of the last save, while it failed
   // Keeps where the viewer stood, which is no step; to be called before the document is let go.
   void leave();
   // Replaces the material by what a journal kept, as one undoable step on top of the file it belongs to.
@@ -85,7 +94,8 @@ class Document {
   void keepScene();
   void note(const Diagnostics&);
   void reset(Material, const Preview&, const std::filesystem::path& file, bool project);
-  std::string projectText() const;
+  Diagnostics write(const std::filesystem::path& file, bool project);
+  std::string projectText(const Material&) const;
 
   const NodeRegistry& nodes_;
   std::unique_ptr<GraphEditor> graph_;
@@ -104,7 +114,8 @@ class Document {
   bool project_ = false;
   Journal journal_;
   SceneStore scenes_;
-  Diagnostics problems_;
+  Diagnostics problems_, saveProblems_;
+  std::set<std::filesystem::path> named_;
   std::optional<Preview> keptPreview_;   // as it is kept for file_
 };
 

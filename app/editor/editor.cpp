@@ -190,7 +190,8 @@ void Editor::postRequest() {
   for (const std::string& id : document_->preview().models) ask(id);
   ask(document_->material().model);
   render_->post({.serial = ++serial_, .material = postedMaterial_, .document = document_->identity(), .materialRevision = materialRevision_,
-                 .preview = document_->preview(), .models = models_->all(), .named = std::move(named), .modelsRevision = modelsRevision_,
+                 .preview = document_->preview(), .namedFiles = document_->namedFiles(),
+                 .models = models_->all(), .named = std::move(named), .modelsRevision = modelsRevision_,
                  .size = viewportSize_, .scale = theme::scale(), .dragging = held, .wantCode = wantCode_});
 }
 
@@ -203,6 +204,7 @@ void Editor::collectProblems() {
   add(models_->problems());
   add(nodes_.problems());
   add(document_->problems());
+  add(document_->saveProblems());
   add(recoveryProblems_);
   add(shown().modelProblems);
   add(shown().problems);
@@ -302,10 +304,11 @@ void Editor::addTexture(const fs::path& file, std::optional<Position> at) {
     where = best;
   }
   NodeId made;
+  const std::string named = document_->nameFile(file).string();
   refused(document_->edit("Add texture", [&](GraphEditor& graph) {
     graph.beginGesture("Add texture " + file.filename().string());
     Diagnostics refusal = graph.addNode("texture-sample", where, &made);
-    if (refusal.empty()) refusal = graph.setSetting(made, "file", Json::of(file.string()));
+    if (refusal.empty()) refusal = graph.setSetting(made, "file", Json::of(named));
     if (refusal.empty()) graph.endGesture();
     else graph.cancelGesture();
     return refusal;
@@ -390,6 +393,7 @@ void Editor::takeMeshMaterial(int slot) {
   preview.ownMaterials = true;
   preview.editedSlot = slot;
   document_->startNew(std::move(copy), preview);
+  document_->nameFile(preview.mesh);  // its pictures go along when the material is saved
   selection_.clear();
 }
 

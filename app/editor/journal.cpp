@@ -28,6 +28,9 @@ std::string text(const Journal::Record& record) {
   json.set("steps", Json::of(record.steps));
   json.set("material", Json::of(record.material));
   json.set("preview", Json::of(record.preview));
+  Json named = Json::array();
+  for (const std::string& file : record.named) named.push(Json::of(file));
+  json.set("named", std::move(named));
   const std::string body = writeJson(json);
   return std::string(kWord) + std::to_string(body.size()) + "\n" + body + "\n";
 }
@@ -48,10 +51,14 @@ std::optional<Journal::Record> lastRecord(const fs::path& file) {
       const Json* found = json->find(key);
       return found && found->isString() ? found->text : std::string();
     };
+    std::vector<std::string> named;
+    if (const Json* list = json->find("named"))
+      for (const Json& item : list->items)
+        if (item.isString()) named.push_back(item.text);
     const Json* steps = json->find("steps");
     return Journal::Record{.file = member("file"), .name = member("name"), .label = member("label"),
                            .steps = steps ? int(steps->number) : 0, .material = member("material"),
-                           .preview = member("preview"), .journal = file};
+                           .preview = member("preview"), .named = std::move(named), .journal = file};
   }
   return std::nullopt;
 }

@@ -20,6 +20,7 @@ class Journal {
     int steps = 0;           // since the last save
     std::string material;    // materialText()
     std::string preview;     // previewJson() as text
+    std::vector<std::string> named;   // files outside the document's folder that the user chose
     std::filesystem::path journal;
     std::chrono::system_clock::time_point time;   // of the last step
   };

@@ -143,8 +143,9 @@ void settingProperty(Editor& editor, const NodeId& id, const Node& node, const S
       if (ImGui::Button(name.c_str(), {ImGui::CalcItemWidth(), 0}))
         editor.browse({.title = "Choose a picture", .extensions = {".png", ".jpg", ".jpeg"},
                        .chosen = [&editor, id, key = setting.name](const std::filesystem::path& file) {
+                         const std::string named = editor.document().nameFile(file).string();
                          editor.refused(editor.document().edit("Choose picture", [&](GraphEditor& graph) {
-                           return graph.setSetting(id, key, Json::of(file.string()));
+                           return graph.setSetting(id, key, Json::of(named));
                          }));
                        }});
       ui::mark(title);

@@ -94,6 +94,8 @@ PreviewScene::PreviewScene(const NodeRegistry& nodes, const FunctionLibrary& fun
 
 void PreviewScene::update(const FrameRequest& request) {
   problems.clear();
+  edited_ = request.material;
+  namedFiles_ = request.namedFiles;
   graphOk = true;
   meshMaterials.clear();
   usedSurfaces_.clear();
@@ -124,7 +126,7 @@ void PreviewScene::update(const FrameRequest& request) {
     if (own && (codeRevision_ != request.materialRevision || codeModel_ != own->hash || code.empty())) {
       codeRevision_ = request.materialRevision;
       codeModel_ = own->hash;
-      auto compiled = compileMaterial(*request.material, *own, nodes_, functions_);
+      auto compiled = compileMaterial(*request.material, *own, nodes_, functions_, {.valuesAsUniforms = false, .namedFiles = namedFiles_});
       if (compiled) {
         code = compiled->glsl;
         stats = compiled->stats;
@@ -159,7 +161,8 @@ const SurfaceMaterial* PreviewScene::surface(const std::string& slot, const Mate
     std::vector<Setting> taken;
     for (const Setting& setting : settings)
       if (takesSetting(*material, *model, setting.name)) taken.push_back(setting);
-    CompileOptions options{.valuesAsUniforms = true};
+    CompileOptions options{.valuesAsUniforms = true, .namedFiles = {}};
+    if (material == edited_) options.namedFiles = namedFiles_;
     auto made = surfaceWith(*material, model, taken, "sweep", {nodes_, functions_, textures_, options}, kept.problems);
     if (made) {
       kept.surface = std::move(*made);

@@ -27,6 +27,7 @@ struct FrameRequest {
   uint64_t document = 0;            // whose it is: another document's pictures are none of it
   uint64_t materialRevision = 0;    // of its meaning
   Preview preview;
+  std::set<std::filesystem::path> namedFiles;   // which the edited material may use wherever they lie
   std::vector<ModelPtr> models;     // all that are registered
   std::map<std::string, ModelPtr> named;  // what is asked for, by the name it is asked for with: mixes too
   uint64_t modelsRevision = 0;      // grows when a plugin's file changed
@@ -81,6 +82,8 @@ class PreviewScene {
   const NodeRegistry& nodes_;
   const FunctionLibrary& functions_;
   TextureCache textures_;
+  MaterialPtr edited_;
+  std::set<std::filesystem::path> namedFiles_;   // of the edited material
   struct Surface {
     uint64_t revision = 0, modelHash = 0;
     std::vector<std::pair<std::string, std::string>> settings;
