@@ -69,6 +69,12 @@ int run(const Arguments& arguments) {
     log::report(context.diagnostics());
     return kNoContext;
   }
+  // The comparison stands in for an editor that was only looked for, not for one that was to open something.
+  if (!files.empty()) {
+    log::report(error(files.front().string(), "no display to open it on: " + context.diagnostics().front().what,
+                      "glint render draws it, glint edit --screenshot OUT.png shows the editor on it"));
+    return kNoContext;
+  }
   log::info("no display for the editor (" + context.diagnostics().front().what + "): rendering the standard comparison instead");
   return renderStandardComparison(arguments);
 }

@@ -54,6 +54,17 @@ TEST(CommandLine, CommonOptionsStandOnEitherSide) {
   }
 }
 
+// The standard comparison stands in for `glint` alone; a file that was named is not passed over.
+TEST(CommandLine, AFileNeedsADisplay) {
+  const testing_support::WithVariable display("DISPLAY", ""), wayland("WAYLAND_DISPLAY", "");
+  std::ofstream(scratch() / "m.json") << R"({"glint": "material", "version": 1, "name": "m", "nodes": {"output": {"kind": "output"}}})";
+  const auto ran = glint({"edit", "m.json"});
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_EQ(ran.errorLines().size(), 1u) << ran.err;
+  EXPECT_NE(ran.err.find("m.json: no display to open it on"), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch() / "comparison.png"));
+}
+
 TEST(CommandLine, ErrorsAreADocumentToo) {
   const auto ran = glint({"--json", "diff", "missing.png", "missing2.png"});
   EXPECT_EQ(ran.code, 2);
