@@ -34,37 +34,10 @@ uint64_t recipeHash() {
   return hash;
 }
 
+// Of everything that is made from a model alone.
+uint64_t tableKey(const ModelSetting& setting) { return setting.key() ^ recipeHash(); }
+
 }  // namespace
-
-ModelShader::ModelShader(std::shared_ptr<const ShadingModel> m)
-    : model(std::move(m)), glsl(modelGlsl(*model, kModelSourceIndex)), hash(hashText(glsl)) {}
-
-ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::vector<Value>& values) {
-  ModelSetting setting;
-  const auto& parameters = shader->model->parameters;
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    const Value& value = i < values.size() ? values[i] : parameters[i].standard;
-    if (parameters[i].slot < 0) {
-      setting.constants.emplace_back(value.v[0], value.v[1], value.v[2], value.v[3]);
-    } else {
-      for (int c = 0; c < componentCount(value.type) && parameters[i].slot + c < 4; ++c)
-        setting.slots[static_cast<size_t>(parameters[i].slot + c)] = value.v[static_cast<size_t>(c)];
-    }
-  }
-  if (setting.constants.empty()) setting.constants.emplace_back(0.0f);
-  setting.shader = std::move(shader);
-  return setting;
-}
-
-uint64_t ModelSetting::key() const {
-  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash ^ recipeHash());
-  return hashBytes(constants.data(), constants.size() * sizeof(glm::vec4), h);
-}
-
-void ModelSetting::apply(const gl::Program& program) const {
-  program.set4("standardParameters", slots.data());
-  program.set4("glintModelConstants", &constants[0].x, static_cast<int>(constants.size()));
-}
 
 float EnvironmentLighting::levelRoughness(int level) {
   const double t = static_cast<double>(level) / (kLevels - 1);
@@ -172,7 +145,7 @@ Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSet
   std::vector<float> values(kLobeWidth * kLevels);
   glGetTextureImage(color, 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * 4), values.data());
   if (const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !(v >= 0); })) {
-    invalid_[setting.key()].lobe = static_cast<int>(bad);
+    invalid_[tableKey(setting)].lobe = static_cast<int>(bad);
     for (float& v : values) v = v >= 0 ? v : 0;
   }
   std::vector<std::vector<float>> rows;
@@ -299,7 +272,7 @@ gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& 
 }
 
 Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting) {
-  const uint64_t modelKey = setting.key();
+  const uint64_t modelKey = tableKey(setting);
   const uint64_t key = hashBytes(&modelKey, 8, environment->hash);
   if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
 
@@ -368,7 +341,7 @@ bool isGrey(const std::string& halfs) {
 }  // namespace
 
 Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSetting& setting) {
-  const uint64_t key = setting.key();
+  const uint64_t key = tableKey(setting);
   if (const StoredBrdf* found = brdf_.find(key)) return BrdfTable{found->texture.id(), found->colored};
   std::string halfs(3 * kTableBytes, '\0');
   if (auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == halfs.size()) {
@@ -415,7 +388,7 @@ void EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl::Progra
 }
 
 EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {
-  const auto found = invalid_.find(setting.key());
+  const auto found = invalid_.find(tableKey(setting));
   return found == invalid_.end() ? Invalid{} : found->second;
 }
 

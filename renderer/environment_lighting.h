@@ -11,8 +11,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "materials/model.h"
 #include "renderer/gl/objects.h"
+#include "renderer/model_setting.h"
 #include "renderer/program_cache.h"
 #include "renderer/recently_used.h"
 #include "renderer/scene.h"
@@ -20,27 +20,6 @@
 namespace glint {
 
 using Progress = std::function<void(const std::string& what, double fraction)>;
-
-// A model's GLSL, made once.
-struct ModelShader {
-  std::shared_ptr<const ShadingModel> model;
-  std::string glsl;
-  uint64_t hash = 0;                     // of glsl, which holds the shipped terms it uses
-
-  explicit ModelShader(std::shared_ptr<const ShadingModel>);
-};
-
-// A model with one value for each of its parameters: those of a material, where they do not vary over it.
-struct ModelSetting {
-  std::shared_ptr<const ModelShader> shader;
-  std::array<float, 4> slots{};          // by ModelParameter::slot
-  std::vector<glm::vec4> constants;      // glintModelConstants: one each without a slot, at least one
-
-  uint64_t key() const;                  // of the text and the values
-  void apply(const gl::Program&) const;  // sets standardParameters and glintModelConstants
-};
-// `values` are in the order of the model's parameters; those missing are at their defaults.
-ModelSetting modelSetting(std::shared_ptr<const ModelShader>, const std::vector<Value>& values);
 
 struct EnvironmentMaps {
   gl::Texture cube;                      // RGBA16F with a full mip chain

@@ -1,0 +1,37 @@
+#include "renderer/model_setting.h"
+
+#include "materials/base/hash.h"
+
+namespace glint {
+
+ModelShader::ModelShader(std::shared_ptr<const ShadingModel> m)
+    : model(std::move(m)), glsl(modelGlsl(*model, kModelSourceIndex)), hash(hashText(glsl)) {}
+
+ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::vector<Value>& values) {
+  ModelSetting setting;
+  const auto& parameters = shader->model->parameters;
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    const Value& value = i < values.size() ? values[i] : parameters[i].standard;
+    if (parameters[i].slot < 0) {
+      setting.constants.emplace_back(value.v[0], value.v[1], value.v[2], value.v[3]);
+    } else {
+      for (int c = 0; c < componentCount(value.type) && parameters[i].slot + c < 4; ++c)
+        setting.slots[static_cast<size_t>(parameters[i].slot + c)] = value.v[static_cast<size_t>(c)];
+    }
+  }
+  if (setting.constants.empty()) setting.constants.emplace_back(0.0f);
+  setting.shader = std::move(shader);
+  return setting;
+}
+
+uint64_t ModelSetting::key() const {
+  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash);
+  return hashBytes(constants.data(), constants.size() * sizeof(glm::vec4), h);
+}
+
+void ModelSetting::apply(const gl::Program& program) const {
+  program.set4("standardParameters", slots.data());
+  program.set4("glintModelConstants", &constants[0].x, static_cast<int>(constants.size()));
+}
+
+}  // namespace glint
