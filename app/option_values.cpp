@@ -1,8 +1,12 @@
 #include "app/option_values.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+
+#include "materials/value.h"
 
 namespace glint {
 
@@ -57,6 +61,34 @@ Result<std::vector<std::string>> parseNameList(const std::string& text, const st
   if (std::find(names.begin(), names.end(), "") != names.end())
     return error(place, fmt::format("'{}' has an empty name", text), "write A,B,C without spaces");
   return names;
+}
+
+Result<glm::vec3> parseColor(const std::string& text, const std::string& place) {
+  const auto value = parseValue(ValueType::Color, text);
+  if (!value || *std::min_element(value->v.begin(), value->v.begin() + 3) < 0)
+    return error(place, fmt::format("'{}' is not a colour", text), "write r/g/b (linear), one grey number, or #rrggbb (sRGB)");
+  return glm::vec3(value->v[0], value->v[1], value->v[2]);
+}
+
+Result<std::vector<KeyValue>> parseKeys(const std::string& text, const std::string& place, const std::vector<std::string>& known) {
+  std::vector<KeyValue> result;
+  Diagnostics problems;
+  for (const std::string& part : splitText(text, ',')) {
+    const size_t equals = part.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      problems.push_back(error(place, fmt::format("'{}' is not key=value", part), "known keys: " + fmt::format("{}", fmt::join(known, ", "))));
+      continue;
+    }
+    const std::string key = part.substr(0, equals);
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      problems.push_back(error(place, fmt::format("unknown key '{}'", key), suggestion(key, known)));
+    else if (std::any_of(result.begin(), result.end(), [&](const KeyValue& r) { return r.key == key; }))
+      problems.push_back(error(place, fmt::format("'{}' is given twice", key), "give it once"));
+    else
+      result.push_back({key, part.substr(equals + 1)});
+  }
+  if (!problems.empty()) return problems;
+  return result;
 }
 
 }  // namespace glint

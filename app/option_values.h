@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,5 +28,26 @@ Result<glm::ivec2> parseSize(const std::string& text, const std::string& place);
 Result<int> parseWhole(const std::string& text, int low, int high, const std::string& place);
 // A finite number in a range.
 Result<float> parseNumber(const std::string& text, float low, float high, const std::string& place);
+
+// Linear Rec.709 from "r/g/b", "#rrggbb" (sRGB) or one number; none negative.
+Result<glm::vec3> parseColor(const std::string& text, const std::string& place);
+
+// "key=value,key=value" with each key known and given once.
+struct KeyValue {
+  std::string key, value;
+};
+Result<std::vector<KeyValue>> parseKeys(const std::string& text, const std::string& place, const std::vector<std::string>& known);
+
+// Keeps a result's value, or its errors for the end.
+template <class T, class To>
+bool keep(Diagnostics& problems, Result<T>&& result, To& to) {
+  if (result) {
+    to = std::move(*result);
+    return true;
+  }
+  for (const Diagnostic& d : result.diagnostics())
+    if (std::find(problems.begin(), problems.end(), d) == problems.end()) problems.push_back(d);
+  return false;
+}
 
 }  // namespace glint

@@ -27,55 +27,13 @@ Result<glm::vec3> parseVector(const std::string& text, const std::string& place)
   return result;
 }
 
-// Linear Rec.709 from "r/g/b", "#rrggbb" (sRGB) or one number.
-Result<glm::vec3> parseColor(const std::string& text, const std::string& place) {
-  const auto value = parseValue(ValueType::Color, text);
-  if (!value || *std::min_element(value->v.begin(), value->v.begin() + 3) < 0)
-    return error(place, fmt::format("'{}' is not a colour", text), "write r/g/b (linear), one grey number, or #rrggbb (sRGB)");
-  return glm::vec3(value->v[0], value->v[1], value->v[2]);
-}
-
-// "key=value,key=value" with each key known and given once.
-Result<std::vector<Setting>> parseKeys(const std::string& text, const std::string& place,
-                                         const std::vector<std::string>& known) {
-  std::vector<Setting> result;
-  Diagnostics problems;
-  for (const std::string& part : splitText(text, ',')) {
-    const size_t equals = part.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      problems.push_back(error(place, fmt::format("'{}' is not key=value", part), "known keys: " + fmt::format("{}", fmt::join(known, ", "))));
-      continue;
-    }
-    const std::string key = part.substr(0, equals);
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      problems.push_back(error(place, fmt::format("unknown key '{}'", key), suggestion(key, known)));
-    else if (std::any_of(result.begin(), result.end(), [&](const Setting& r) { return r.name == key; }))
-      problems.push_back(error(place, fmt::format("'{}' is given twice", key), "give it once"));
-    else
-      result.push_back({key, part.substr(equals + 1)});
-  }
-  if (!problems.empty()) return problems;
-  return result;
-}
-
-// Keeps a result's value, or its errors for the end.
-template <class T, class To>
-bool keep(Diagnostics& problems, Result<T>&& result, To& to) {
-  if (result) {
-    to = std::move(*result);
-    return true;
-  }
-  problems.insert(problems.end(), result.diagnostics().begin(), result.diagnostics().end());
-  return false;
-}
-
 Result<CameraChoice> parseCamera(const std::string& text) {
   const std::string place = "--camera";
   const auto keys = parseKeys(text, place, {"eye", "target", "fov", "ortho"});
   if (!keys) return keys.diagnostics();
   CameraChoice camera;
   Diagnostics problems;
-  for (const auto& [key, value, option] : *keys) {
+  for (const auto& [key, value] : *keys) {
     if (key == "eye") keep(problems, parseVector(value, place), camera.eye);
     if (key == "target") keep(problems, parseVector(value, place), camera.target);
     float number = 0;
@@ -174,7 +132,7 @@ Result<Light> parseLight(const std::string& text) {
   light.kind = point ? LightKind::Point : LightKind::Directional;
   Diagnostics problems;
   bool placed = false, lumens = false, candela = false;
-  for (const auto& [key, value, option] : *keys) {
+  for (const auto& [key, value] : *keys) {
     if (key == "dir") {
       placed = true;
       if (keep(problems, parseVector(value, place), light.direction)) {

@@ -29,11 +29,14 @@ Result<CompiledMaterial> compileMaterial(const Material&, const ShadingModel& mo
                                          const FunctionLibrary&, const CompileOptions& = {},
                                          Diagnostics* warnings = nullptr);
 
+// The value that a text gives an attribute or a parameter of the model. Errors: a name that is neither (with the
+// nearest), a value that does not fit or is out of range.
+Result<Value> overrideValue(const ShadingModel& model, const std::string& name, std::string_view valueText);
+
 // Makes one attribute or parameter of the model come from outside (`--set roughness=0.3`, a sweep), whatever
 // the graph says: a parameter node of that name is put before the output, so that all values share one
 // program; later calls with the same name change its value. For a model parameter without a pin, sets
-// Material::modelParameters. Errors: a name that is neither (with the nearest), a value that does not fit or
-// is out of range.
+// Material::modelParameters. Errors: as overrideValue().
 Diagnostics overrideAttribute(Material&, const ShadingModel& model, const std::string& name,
                               std::string_view valueText);
 

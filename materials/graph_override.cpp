@@ -23,26 +23,34 @@ NodeId wrapOutput(Material& material) {
 
 }  // namespace
 
-Diagnostics overrideAttribute(Material& material, const ShadingModel& model, const std::string& name,
-                              std::string_view valueText) {
+Result<Value> overrideValue(const ShadingModel& model, const std::string& name, std::string_view valueText) {
   const Attribute* attribute = findAttribute(name);
   const ModelParameter* parameter = attribute ? nullptr : model.parameter(name);
   if (!attribute && !parameter) {
     std::vector<std::string> known = attributeNames();
     for (const ModelParameter& p : model.parameters) known.push_back(p.name);
-    return {error(fmt::format("'{}'", name.substr(0, 80)),
-                  fmt::format("is neither an attribute nor a parameter of model '{}'", model.id),
-                  suggestion(name, known))};
+    return error(fmt::format("'{}'", name.substr(0, 80)),
+                 fmt::format("is neither an attribute nor a parameter of model '{}'", model.id), suggestion(name, known));
   }
   const ValueType type = attribute ? attribute->standard.type : parameter->standard.type;
   const auto value = parseValue(type, valueText);
   if (!value)
-    return {error(fmt::format("'{}'", name), fmt::format("'{}' is not {} for {}", valueText.substr(0, 80), described(type), name),
-                  valueHint(type))};
+    return error(fmt::format("'{}'", name), fmt::format("'{}' is not {} for {}", valueText.substr(0, 80), described(type), name),
+                 valueHint(type));
   const float least = attribute ? attribute->minimum : parameter->minimum, most = attribute ? attribute->most : parameter->maximum;
   if (!inRange(*value, least, most))
-    return {error(fmt::format("'{}'", name), fmt::format("{} {} is out of range", name, glint::valueText(*value)),
-                  fmt::format("{} to {} are allowed", least, most))};
+    return error(fmt::format("'{}'", name), fmt::format("{} {} is out of range", name, glint::valueText(*value)),
+                 fmt::format("{} to {} are allowed", least, most));
+  return *value;
+}
+
+Diagnostics overrideAttribute(Material& material, const ShadingModel& model, const std::string& name,
+                              std::string_view valueText) {
+  const auto value = overrideValue(model, name, valueText);
+  if (!value) return value.diagnostics();
+  const Attribute* attribute = findAttribute(name);
+  const ModelParameter* parameter = attribute ? nullptr : model.parameter(name);
+  const ValueType type = value->type;
   if (parameter && parameter->slot < 0) {
     material.modelParameters[name] = *value;
     return {};

@@ -206,7 +206,7 @@ const Entry kEntries[] = {
 
 void checkNames(const GlslScan& scan, const std::string& file, Diagnostics& problems) {
   static const std::vector<std::string_view> kOwn = {"main", "Shading", "Parameters", "modelD", "modelSpecular",
-                                                     "modelDiffuse", "modelParameters", "modelPrepare", "modelHasD"};
+                                                     "modelDiffuse", "modelV", "modelF", "modelParameters", "modelPrepare", "modelHasD"};
   for (const GlslName& name : scan.names)
     if (name.name.starts_with("glint") ||
         std::find(kOwn.begin(), kOwn.end(), name.name) != kOwn.end())

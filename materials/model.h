@@ -74,6 +74,10 @@ struct ShadingModel {
   uint64_t hash = 0;                     // of the file's bytes
 
   const ModelParameter* parameter(std::string_view name) const;
+  // Whether there is a D, V or F to ask for: not for a model that is only `specular`.
+  bool hasD() const { return definesD || !termD.empty(); }
+  bool hasV() const { return definesV || !termV.empty() || !termG.empty(); }
+  bool hasF() const { return definesF || !termF.empty(); }
   // The four per-pixel parameters at their defaults.
   std::array<float, 4> standardSlots() const;
 };
@@ -91,6 +95,8 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 //   Parameters modelParameters(vec4 slots)              per-pixel slots and the constants together
 //   void modelPrepare(Shading, inout Parameters)        once after setRoughness and setView, before the others
 //   float modelD(Shading, Parameters)                   0 for a model without a D
+//   float modelV(Shading, Parameters)                   0 for a model without a V
+//   vec3 modelF(Shading, Parameters)                    0 for a model without an F
 //   vec3 modelSpecular(Shading, Parameters)             f, without cosine
 //   vec3 modelDiffuse(Shading, Parameters)
 //   const bool modelHasD

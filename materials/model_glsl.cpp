@@ -62,7 +62,6 @@ void entry(std::string& text, std::string_view type, std::string_view name, bool
 std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   std::string text = "// The terms of shaders/terms/.\n" + termsGlsl() + "// The model '" + model.id + "'.\n" +
                      parametersGlsl(model);
-  const bool hasD = model.definesD || !model.termD.empty();
   entry(text, "float", "D", model.definesD, TermKind::D, model.termD);
   // A G of the head is the V of that name: the library holds G / (4 NoL NoV) without its 0/0.
   entry(text, "float", "V", model.definesV, TermKind::V, model.termV.empty() ? model.termG : model.termV);
@@ -76,8 +75,10 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   for (const std::string& macro : scanGlsl(model.source).macros) text += "#undef " + macro + "\n";
   text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{{}}}\n",
                       model.definesPrepare ? " prepare(s, p); " : "");
-  text += fmt::format("const bool modelHasD = {};\n", hasD);
-  text += fmt::format("float modelD(Shading s, Parameters p) {{ return {}; }}\n", hasD ? "D(s, p)" : "0.0");
+  text += fmt::format("const bool modelHasD = {};\n", model.hasD());
+  text += fmt::format("float modelD(Shading s, Parameters p) {{ return {}; }}\n", model.hasD() ? "D(s, p)" : "0.0");
+  text += fmt::format("float modelV(Shading s, Parameters p) {{ return {}; }}\n", model.hasV() ? "V(s, p)" : "0.0");
+  text += fmt::format("vec3 modelF(Shading s, Parameters p) {{ return {}; }}\n", model.hasF() ? "F(s, p)" : "vec3(0.0)");
   // The scalars first: D * V is one product before the colour comes in.
   text += fmt::format("vec3 modelSpecular(Shading s, Parameters p) {{ return {}; }}\n",
                       model.definesSpecular ? "specular(s, p)" : "(D(s, p) * V(s, p)) * F(s, p)");

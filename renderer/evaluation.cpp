@@ -460,7 +460,7 @@ Finish diffuseAlbedo(const EvaluationRequest& request, Batch& batch) {
   std::vector<std::pair<std::string, Batch::ModelTicket>> tickets;
   const auto add = [&](const std::string& name, const std::string& term, float color) {
     IntegralQuery q = query(request, NoV);
-    q.diffuseColor = color;
+    q.diffuseColor = glm::vec3(color);
     tickets.emplace_back(name, batch.integral("GGX*Implicit*None*" + term, q));
   };
   add("burley", "Burley", 1);

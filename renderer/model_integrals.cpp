@@ -47,10 +47,10 @@ const Nodes& sharedNodes() {
 }
 
 struct DeviceQuery {
-  glm::vec4 roughnessNoVLight, slots;
+  glm::vec4 roughnessNoVLight, slots, F0, diffuse;
 };
 struct Sums {
-  glm::vec4 specularWhite, specularBlack, diffuse;
+  glm::vec4 specular, specularBlack, diffuse;
 };
 
 }  // namespace
@@ -88,7 +88,10 @@ std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuer
     const auto batch = queries.subspan(begin, std::min(kQueriesAtOnce, queries.size() - begin));
     std::vector<DeviceQuery> packed;
     for (const IntegralQuery& q : batch)
-      packed.push_back({{q.roughness, q.NoV, q.analyticLight ? 1.f : 0.f, q.diffuseColor}, {slots[0], slots[1], slots[2], slots[3]}});
+      packed.push_back({{q.roughness, q.NoV, q.analyticLight ? 1.f : 0.f, 0},
+                        {slots[0], slots[1], slots[2], slots[3]},
+                        {q.F0, 0},
+                        {q.diffuseColor, 0}});
     std::vector<Sums> sums(batch.size() * kPolar);
     const gl::Buffer in = gl::createBuffer(std::as_bytes(std::span(packed)));
     const gl::Buffer out = gl::createBuffer(std::as_bytes(std::span(sums)));
@@ -103,10 +106,10 @@ std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuer
     for (size_t i = 0; i < sums.size(); ++i) {
       ModelIntegral& integral = integrals[begin + i / kPolar];
       const size_t node = i % kPolar;
-      integral.specular += nodes.specular[node] * glm::dvec3(sums[i].specularWhite);
+      integral.specular += nodes.specular[node] * glm::dvec3(sums[i].specular);
       integral.specularBlack += nodes.specular[node] * glm::dvec3(sums[i].specularBlack);
       integral.diffuse += nodes.diffuse[node] * glm::dvec3(sums[i].diffuse);
-      integral.distribution += nodes.distribution[node] * sums[i].specularWhite.w;
+      integral.distribution += nodes.distribution[node] * sums[i].specular.w;
       integral.projected += nodes.distribution[node] * sums[i].specularBlack.w;
     }
   }

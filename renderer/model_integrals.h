@@ -15,13 +15,14 @@ namespace glint {
 struct IntegralQuery {
   float roughness = 0.5f, NoV = 1;
   bool analyticLight = true;   // or an environment: some models differ
-  float diffuseColor = 1;      // of all channels
+  glm::vec3 diffuseColor{1};
+  glm::vec3 F0{1};             // of ModelIntegral::specular
 };
 
 // Of one query; the view lies in the plane of the tangent.
 struct ModelIntegral {
-  glm::dvec3 specular{};       // directional albedo of the specular part for F0 = 1: of f NoL
-  glm::dvec3 specularBlack{};  // and for F0 = 0: the B of the environment BRDF; A is the rest (Karis 2013, eq. 8)
+  glm::dvec3 specular{};       // directional albedo of the specular part for the query's F0: of f NoL
+  glm::dvec3 specularBlack{};  // and for F0 = 0: the B of the environment BRDF; A is the rest for F0 1 (Karis 2013, eq. 8)
   glm::dvec3 diffuse{};        // directional albedo of the diffuse part
   double distribution = 0;     // of D NoH: 1 for a distribution of normals
   double projected = 0;        // of D max(VoH, 0): the area that Smith's masking brings back to NoV (Heitz 2014, eq. 14)

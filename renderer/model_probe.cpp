@@ -145,8 +145,16 @@ vec4 chosen(int choice, Shading s, vec4 a, vec4 b) {
 }
 
 Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {
-  auto probe = build(model.file.string(), modelGlsl(model, kModelSourceIndex),
-                     {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), 0.0)"});
+  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), 0.0)"});
+}
+
+Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model) {
+  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
+                         "vec4(modelF(s, p), 0.0)"});
+}
+
+Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vector<std::string>& outputs) {
+  auto probe = build(model.file.string(), modelGlsl(model, kModelSourceIndex), outputs);
   if (!probe) return modelErrors(model, probe.diagnostics()[0].what);
   probe->model_ = model;
   for (const ModelParameter& p : model.parameters) probe->set(p.name, p.standard);

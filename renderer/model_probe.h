@@ -44,6 +44,8 @@ class ModelProbe {
   static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
   // Two outputs: (specular f, D) and (diffuse f, 0), both without cosine. Errors: at the plugin's own lines.
   static Result<ModelProbe> ofModel(const ShadingModel&);
+  // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
+  static Result<ModelProbe> ofModelParts(const ShadingModel&);
 
   // Of every point its outputs in order.
   std::vector<glm::vec4> evaluate(std::span<const ProbePoint>) const;
@@ -56,6 +58,7 @@ class ModelProbe {
   ModelProbe() = default;
   static Result<ModelProbe> build(const std::string& name, const std::string& glsl,
                                   const std::vector<std::string>& outputs);
+  static Result<ModelProbe> ofModel(const ShadingModel&, const std::vector<std::string>& outputs);
   gl::Program program_;
   int outputs_ = 0;
   ShadingModel model_;

@@ -28,12 +28,6 @@ void append(Diagnostics& to, const Diagnostics& from) {
     if (std::find(to.begin(), to.end(), d) == to.end()) to.push_back(d);
 }
 
-template <class T, class To>
-void keep(Diagnostics& problems, Result<T>&& result, To& to) {
-  if (result) to = std::move(*result);
-  else append(problems, result.diagnostics());
-}
-
 // What the options ask for, before anything is loaded.
 struct Plan {
   SceneOptions scene;

@@ -5,8 +5,8 @@
 #pragma glint model
 layout(local_size_x = 64) in;
 
-struct Query { vec4 values, slots; };  // roughness, NoV, 1 under a light and 0 under an environment, diffuseColor
-struct Sums { vec4 specularWhite, specularBlack, diffuse; };  // f NoL for F0 1 and 0, and for diffuseColor; integrals of D in w
+struct Query { vec4 values, slots, F0, diffuse; };  // values: roughness, NoV, 1 under a light and 0 under an environment
+struct Sums { vec4 specular, specularBlack, diffuse; };  // f NoL for the query's F0 and for 0, and for its diffuse; integrals of D in w
 layout(std430, binding = 0) readonly buffer Queries { Query queries[]; };
 // Polar nodes u from 0 to 1; sin and cos of the theta_h that stands at u for D; cosine of the light at sin^2 = u.
 layout(std430, binding = 1) readonly buffer PolarNodes { vec4 polar[]; };
@@ -18,9 +18,9 @@ uniform int count;
 // As renderer/model_integrals.cpp: theta = kSmallest (e^(k u) - 1).
 const float kSmallest = 2e-4;
 
-void colors(inout Shading s, float F0, float diffuse) {
-  s.F0 = vec3(F0);
-  s.diffuseColor = vec3(diffuse);
+void colors(inout Shading s, vec3 F0, vec3 diffuse) {
+  s.F0 = F0;
+  s.diffuseColor = diffuse;
 }
 
 void main() {
@@ -39,7 +39,7 @@ void main() {
   s.baseColor = vec3(1.0);
   s.specular = 0.5;
   s.metallic = 1.0;
-  colors(s, 1.0, 1.0);
+  colors(s, query.F0.rgb, vec3(1.0));
   s.analyticLight = query.values.z != 0.0;
   Parameters p = modelParameters(query.slots);
   modelPrepare(s, p);
@@ -63,9 +63,9 @@ void main() {
     s.NoH = cosTheta;
     s.sinH2 = sinTheta * sinTheta;
     float weight = azimuth.z * sinTheta * grown * k * 4.0 * VoH * L.z;
-    colors(s, 1.0, 1.0);
-    sums.specularWhite.rgb += modelSpecular(s, p) * weight;
-    colors(s, 0.0, 1.0);
+    colors(s, query.F0.rgb, vec3(1.0));
+    sums.specular.rgb += modelSpecular(s, p) * weight;
+    colors(s, vec3(0.0), vec3(1.0));
     sums.specularBlack.rgb += modelSpecular(s, p) * weight;
   }
   for (int j = 0; j < around.length(); ++j) {
@@ -77,11 +77,11 @@ void main() {
     s.NoH = node.z;
     s.sinH2 = node.y * node.y;
     float D = modelD(s, p) * azimuth.z;
-    sums.specularWhite.w += D * node.z;
+    sums.specular.w += D * node.z;
     sums.specularBlack.w += D * max(VoH, 0.0);
   }
   s.metallic = 0.0;
-  colors(s, 0.04, query.values.w);
+  colors(s, vec3(0.04), query.diffuse.rgb);
   for (int j = 0; j < around.length(); ++j) {
     vec4 azimuth = around[j];
     setLight(s, vec3(sqrt(node.x) * azimuth.x, sqrt(node.x) * azimuth.y, node.w));
