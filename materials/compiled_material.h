@@ -73,6 +73,7 @@ struct CompiledMaterial {
   // What the graph can make differ from the standard: the renderer drops what is not used.
   bool writesEmissive = false, writesOpacityMask = false, writesNormal = false,
        writesModelParameters = false;
+  bool plainNonmetal = false;  // metallic and specular are left alone
   std::vector<ModelParameterSource> modelParameters;
   CompileStats stats;
 

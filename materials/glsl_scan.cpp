@@ -236,6 +236,10 @@ class Scanner {
   // Called before `token` opens or closes anything.
   void noteCalls(const Token& token) {
     if (!inFunction_) return;
+    if (previous_ && previous_->text == "." && token.isName()) {
+      auto& members = scan_.functions.back().members;
+      if (std::find(members.begin(), members.end(), token.text) == members.end()) members.emplace_back(token.text);
+    }
     const char c = token.text[0];
     auto& calls = scan_.functions.back().calls;
     if (!openCalls_.empty() && c != ')') {
@@ -337,6 +341,7 @@ class Scanner {
                           .parameterNames = {},
                           .line = statement_[at].line,
                           .calls = {},
+                          .members = {},
                           .comment = commentEnd_ + 1 == statement_[0].line ? comment_ : std::string()};
     // Of each parameter the last word that is followed by a word, which is its type.
     for (size_t i = at + 2; i + 1 < statement_.size(); ++i) {

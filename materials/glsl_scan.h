@@ -20,6 +20,7 @@ struct GlslFunction {
   std::vector<std::string> parameterTypes, parameterNames;
   int line = 0;
   std::vector<GlslCall> calls;  // in its body: of functions, constructors and macros
+  std::vector<std::string> members;  // in its body: the names after a dot, each once
   int operators = 0;            // in its body: arithmetic, comparisons and assignments, `+=` as one
   std::string comment;   // of `//` lines directly above, without the slashes
   bool takes(const std::vector<std::string>& types) const { return parameterTypes == types; }

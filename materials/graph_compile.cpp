@@ -410,6 +410,7 @@ class Compiler {
 
   void write(const Bundle& attributes) {
     std::string assignments;
+    result.plainNonmetal = true;
     for (size_t i = 0; i < pins_.size(); ++i) {
       const Pin& pin = pins_[i];
       const bool standard = isStandard(attributes[i], pin.standard);
@@ -427,6 +428,7 @@ class Compiler {
           value = fmt::format("float({})", value);
         result.writesModelParameters = true;
       }
+      if (pin.name == "metallic" || pin.name == "specular") result.plainNonmetal &= standard;
       result.writesEmissive |= !standard && pin.name == "emissive";
       result.writesOpacityMask |= !standard && pin.name == "opacityMask";
       result.writesNormal |= !standard && pin.name == "normal";

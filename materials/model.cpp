@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "materials/attributes.h"
 #include "materials/base/hash.h"
@@ -128,13 +129,22 @@ void readTerms(const Json& json, const std::string& file, ShadingModel& model, D
   reader.finish();
 }
 
+// The terms that the head names, of whatever kind.
+std::vector<std::pair<TermKind, std::string>> namedTerms(const ShadingModel& model) {
+  std::vector<std::pair<TermKind, std::string>> named = {{TermKind::D, model.termD},
+                                                         {TermKind::V, model.termV.empty() ? model.termG : model.termV},
+                                                         {TermKind::F, model.termF},
+                                                         {TermKind::Diffuse, model.termDiffuse}};
+  std::erase_if(named, [](const auto& term) { return term.second.empty(); });
+  return named;
+}
+
 // What the named terms take besides the Shading, after what the head declares: one that has its name is that one.
 void addTermParameters(ShadingModel& model) {
   int used = 0;
   for (const ModelParameter& p : model.parameters) used += p.slot < 0 ? 0 : componentCount(p.standard.type);
-  for (const auto& [kind, name] : {std::pair{TermKind::D, model.termD}, {TermKind::V, model.termV.empty() ? model.termG : model.termV},
-                                   {TermKind::F, model.termF}, {TermKind::Diffuse, model.termDiffuse}}) {
-    const auto term = name.empty() ? std::nullopt : findTerm(kind, name);
+  for (const auto& [kind, name] : namedTerms(model)) {
+    const auto term = findTerm(kind, name);
     if (!term) continue;
     for (const TermParameter& p : term->parameters)
       if (!model.parameter(p.name))
@@ -177,6 +187,23 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
                    fmt::format("at most {} are possible", kMostParameters));
   if (const Json* json = reader.object("terms")) readTerms(*json, file, model, problems);
   addTermParameters(model);
+  const auto readName = [&](ObjectReader& from, const Json& json, std::string_view key, bool required) {
+    const std::string name = from.text(key, required).value_or("");
+    const ModelParameter* parameter = model.parameter(name);
+    if (name.empty() || (parameter && parameter->standard.type == ValueType::Float)) return name;
+    std::vector<std::string> floats;
+    for (const ModelParameter& p : model.parameters)
+      if (p.standard.type == ValueType::Float) floats.push_back(p.name);
+    from.problem(*json.find(key), fmt::format("'{}' names no parameter of type float", key), suggestion(name, floats));
+    return name;
+  };
+  if (const Json* json = reader.object("coat")) {
+    ObjectReader coat(*json, file, "coat", problems);
+    model.coatRoughness = readName(coat, *json, "roughness", true);
+    model.coatStrength = readName(coat, *json, "strength", true);
+    coat.finish();
+  }
+  model.tangentRotation = readName(reader, head, "tangentRotation", false);
   if (const Json* json = reader.object("claims")) {
     ObjectReader claims(*json, file, "claims", problems);
     model.claims.reciprocal = claims.boolean("reciprocal").value_or(false);
@@ -195,6 +222,7 @@ struct Entry {
   std::string_view name, type;
   bool ShadingModel::*defines;
   std::string ShadingModel::*term;
+  std::string_view parameters = "Shading s, Parameters p";
 };
 const Entry kEntries[] = {
     {"D", "float", &ShadingModel::definesD, &ShadingModel::termD},
@@ -202,17 +230,54 @@ const Entry kEntries[] = {
     {"F", "vec3", &ShadingModel::definesF, &ShadingModel::termF},
     {"diffuse", "vec3", &ShadingModel::definesDiffuse, &ShadingModel::termDiffuse},
     {"specular", "vec3", &ShadingModel::definesSpecular, nullptr},
+    {"prepare", "void", &ShadingModel::definesPrepare, nullptr, "Shading s, inout Parameters p"},
+    {"colors", "void", &ShadingModel::definesColors, nullptr, "inout Shading s, Parameters p"},
+    {"coat", "vec3", &ShadingModel::definesCoat, nullptr},
+    {"throughCoat", "vec3", &ShadingModel::definesThroughCoat, nullptr},
+    {"environment", "vec3", &ShadingModel::definesEnvironment, nullptr},
+    {"scattered", "vec3", &ShadingModel::definesScattered, nullptr},
 };
 
-void checkNames(const GlslScan& scan, const std::string& file, Diagnostics& problems) {
+// Whether the plugin or a term that it calls or names reads one of these members of `Shading`. A macro may hide it.
+bool reads(const GlslScan& scan, const GlslScan& library, const ShadingModel& model, const std::set<std::string>& members) {
+  const auto readsOne = [&](const GlslFunction& f) {
+    return std::any_of(f.members.begin(), f.members.end(), [&](const std::string& m) { return members.count(m) != 0; });
+  };
+  if (!scan.macros.empty() &&
+      std::any_of(members.begin(), members.end(), [&](const std::string& m) { return model.source.find("." + m) != std::string::npos; }))
+    return true;
+  std::vector<std::string> called;
+  for (const auto& [kind, name] : namedTerms(model)) called.push_back(std::string(prefix(kind)) + name);
+  for (const GlslFunction& f : scan.functions) {
+    if (readsOne(f)) return true;
+    for (const GlslCall& call : f.calls) called.push_back(call.name);
+  }
+  std::set<std::string> seen;
+  while (!called.empty()) {
+    const std::string name = std::move(called.back());
+    called.pop_back();
+    if (!seen.insert(name).second) continue;
+    for (const GlslFunction& f : library.functions) {
+      if (f.name != name) continue;
+      if (readsOne(f)) return true;
+      for (const GlslCall& call : f.calls) called.push_back(call.name);
+    }
+  }
+  return false;
+}
+
+void checkNames(const GlslScan& scan, const GlslScan& library, const std::string& file, Diagnostics& problems) {
   static const std::vector<std::string_view> kOwn = {"main", "Shading", "Parameters", "modelD", "modelSpecular",
-                                                     "modelDiffuse", "modelV", "modelF", "modelParameters", "modelPrepare", "modelHasD"};
+                                                     "modelDiffuse", "modelV", "modelF", "modelParameters", "modelPrepare", "modelHasD",
+                                                     "modelBase", "modelLobe", "modelDiffuseBelow", "modelColors", "modelTurn",
+                                                     "modelThroughCoat", "modelCoatRoughness", "modelCoatStrength",
+                                                     "modelEnvironment", "modelHasEnvironment", "modelScattered",
+                                                     "modelScatters", "MODEL_COAT", "MODEL_TANGENT", "COAT"};
   for (const GlslName& name : scan.names)
     if (name.name.starts_with("glint") ||
         std::find(kOwn.begin(), kOwn.end(), name.name) != kOwn.end())
       problems.push_back(error(fmt::format("{}:{}", file, name.line),
                                fmt::format("defines '{}', which is Glint's", name.name), "choose another name"));
-  const GlslScan library = scanGlsl(shipped::read("shaders/common/shading.glsl").value_or("") + termsGlsl());
   for (const GlslFunction& own : scan.functions)
     for (const GlslFunction& theirs : library.functions)
       if (own.name == theirs.name && own.takes(theirs.parameterTypes))
@@ -229,7 +294,8 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
   for (const GlslFault& fault : faults)
     if (fault.line != std::exchange(last, fault.line))
       problems.push_back(error(fmt::format("{}:{}", file, fault.line), fault.what, fault.hint));
-  checkNames(scan, file, problems);
+  const GlslScan library = scanGlsl(shipped::read("shaders/common/shading.glsl").value_or("") + termsGlsl());
+  checkNames(scan, library, file, problems);
   for (const Entry& entry : kEntries) {
     int near = 0;
     for (const GlslFunction& function : scan.functions) {
@@ -243,7 +309,7 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
     if (near && !(model.*entry.defines))
       problems.push_back(error(fmt::format("{}:{}", file, near),
                                fmt::format("'{}' has other types than Glint calls it with", entry.name),
-                               fmt::format("write {} {}(Shading s, Parameters p)", entry.type, entry.name)));
+                               fmt::format("write {} {}({})", entry.type, entry.name, entry.parameters)));
     const bool named = entry.term && (!(model.*entry.term).empty() || (entry.name == "V" && !model.termG.empty()));
     if (near && named)
       problems.push_back(error(fmt::format("{}:{}", file, near),
@@ -259,13 +325,17 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
                                  fmt::format("name one in \"terms\" or write {} {}(Shading s, Parameters p)",
                                              entry.type, entry.name)));
   }
-  for (const GlslFunction& function : scan.functions)
-    if (function.name == "prepare" && function.returnType == "void" && function.takes({"Shading", "Parameters"}))
-      model.definesPrepare = true;
   if (!model.prepared.empty() && !model.definesPrepare)
     problems.push_back(error(fmt::format("{}:{}", file, head.find("prepared")->line), "\"prepared\" is never filled",
                              "write void prepare(Shading s, inout Parameters p)"));
+  if (model.definesCoat != !model.coatRoughness.empty())
+    problems.push_back(error(fmt::format("{}:{}", file, model.definesCoat ? headLine : head.find("coat")->line),
+                             model.definesCoat ? "the head does not tell of its coat" : "\"coat\" has no function",
+                             model.definesCoat ? R"(write "coat": {"roughness": "NAME", "strength": "NAME"} with two of its parameters)"
+                                               : "write vec3 coat(Shading s, Parameters p)"));
   if (!model.definesDiffuse && model.termDiffuse.empty()) model.termDiffuse = "Lambert";
+  model.usesTangent = reads(scan, library, model, {"T", "B"});
+  model.usesPlainNonmetal = reads(scan, library, model, {"plainNonmetal"});
 }
 
 }  // namespace

@@ -20,6 +20,17 @@
 //   vec3  specular(Shading s, Parameters p)   f of the specular part, instead of D, V and F
 //   void  prepare(Shading s, inout Parameters p)   once a pixel, before any light: s has all but what depends on
 //                                             the light; fills the float members that "prepared" of the head names
+//   void  colors(inout Shading s, Parameters p)    sets F0 and diffuseColor where they do not follow from baseColor,
+//                                             metallic and specular as usual
+//   vec3  coat(Shading s, Parameters p)       f of a second lobe over the others, with a roughness of its own, which
+//                                             is the one in s; "coat" of the head names the parameters that are its
+//                                             roughness and its strength, by which Glint multiplies
+//   vec3  throughCoat(Shading s, Parameters p)     what the coat lets through of all below it; 1 when absent
+//   vec3  environment(Shading s, Parameters p)     what the specular part reflects of an environment, from NoV, instead
+//                                             of the table that Glint derives
+//   vec3  scattered(Shading s, Parameters p)  light that comes out from within, also where it shines from behind:
+//                                             radiance over the irradiance of a plane that faces the light; there is
+//                                             no cosine, and s.NoL does not tell the sides apart, dot(s.N, s.L) does
 //
 // It may call D, V, F and diffuse whether it defines them or names them, in any order, and every function of
 // shaders/terms/. Its macros end with it. A file may not declare uniforms, inputs, outputs or buffers, use `discard`,
@@ -59,7 +70,14 @@ struct ShadingModel {
   // "G" of the head: a G is divided by 4 NoL NoV.
   std::string termD, termV, termG, termF, termDiffuse;
   bool definesD = false, definesV = false, definesF = false, definesDiffuse = false,
-       definesSpecular = false, definesPrepare = false;
+       definesSpecular = false, definesPrepare = false, definesColors = false, definesCoat = false,
+       definesThroughCoat = false, definesEnvironment = false, definesScattered = false;
+  // Parameters that are the coat's; empty without one.
+  std::string coatRoughness, coatStrength;
+  // The parameter by which the tangent turns about the normal, in degrees, before the model sees it; may be empty.
+  std::string tangentRotation;
+  bool usesTangent = false;              // reads s.T or s.B, itself or through a term
+  bool usesPlainNonmetal = false;        // likewise s.plainNonmetal
   std::vector<std::string> prepared;     // members of `Parameters` that its prepare() fills
   struct Claims {
     bool reciprocal = false;        // f(l, v) = f(v, l)
@@ -93,13 +111,22 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 // The GLSL of a model, for a program that has shaders/common/shading.glsl before it: the terms, struct
 // Parameters, the plugin's own text under `#line`, and these functions, which are all that passes call:
 //   Parameters modelParameters(vec4 slots)              per-pixel slots and the constants together
-//   void modelPrepare(Shading, inout Parameters)        once after setRoughness and setView, before the others
+//   void modelColors(inout Shading, Parameters)         where the attributes are those of a surface, after setColors
+//   void modelTurn(inout Shading, Parameters)           where T and B are those of a surface
+//   void modelPrepare(Shading, inout Parameters)        once after setRoughness, setView and those, before the others
 //   float modelD(Shading, Parameters)                   0 for a model without a D
 //   float modelV(Shading, Parameters)                   0 for a model without a V
 //   vec3 modelF(Shading, Parameters)                    0 for a model without an F
 //   vec3 modelSpecular(Shading, Parameters)             f, without cosine
 //   vec3 modelDiffuse(Shading, Parameters)
-//   const bool modelHasD
+//   vec3 modelLobe(Shading, Parameters)                 the specular part without its coat or, with COAT defined, the
+//                                                       coat of strength 1 for the roughness in Shading
+//   vec3 modelDiffuseBelow(Shading, Parameters)         the diffuse part without what a coat takes away
+//   vec3 modelThroughCoat(Shading, Parameters), float modelCoatRoughness(Parameters), modelCoatStrength(Parameters)
+//   vec3 modelEnvironment(Shading, Parameters)          0 unless modelHasEnvironment
+//   vec3 modelScattered(Shading, Parameters)            0 unless modelScatters
+//   const bool modelHasD, modelHasEnvironment, modelScatters
+// and the macros MODEL_COAT and MODEL_TANGENT when it has a coat or uses the tangent.
 // `uniform vec4 glintModelConstants[N]` holds the parameters without a slot, one vec4 each in
 // declaration order (N >= 1). `sourceIndex` is the source-string number that GLSL errors in the plugin's
 // own text will carry, and its lines count from kModelLineBase: Mesa honours the line of `#line` and drops the

@@ -68,7 +68,11 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   entry(text, "vec3", "F", model.definesF, TermKind::F, model.termF);
   entry(text, "vec3", "diffuse", model.definesDiffuse, TermKind::Diffuse, model.termDiffuse);
   if (model.definesSpecular) entry(text, "vec3", "specular", true, TermKind::F, "");
-  if (model.definesPrepare) text += "void prepare(Shading s, inout Parameters p);\n";
+  for (const auto& [defined, prototype] :
+       {std::pair{model.definesPrepare, "void prepare(Shading s, inout Parameters p)"}, {model.definesColors, "void colors(inout Shading s, Parameters p)"},
+        {model.definesCoat, "vec3 coat(Shading s, Parameters p)"}, {model.definesThroughCoat, "vec3 throughCoat(Shading s, Parameters p)"},
+        {model.definesEnvironment, "vec3 environment(Shading s, Parameters p)"}, {model.definesScattered, "vec3 scattered(Shading s, Parameters p)"}})
+    if (defined) text += std::string(prototype) + ";\n";
   text += fmt::format("#line {} {}\n", kModelLineBase + 1, sourceIndex);
   text += model.source;
   text += fmt::format("\n\n#line 1 {}\n", sourceIndex + 1);
@@ -79,10 +83,36 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   text += fmt::format("float modelD(Shading s, Parameters p) {{ return {}; }}\n", model.hasD() ? "D(s, p)" : "0.0");
   text += fmt::format("float modelV(Shading s, Parameters p) {{ return {}; }}\n", model.hasV() ? "V(s, p)" : "0.0");
   text += fmt::format("vec3 modelF(Shading s, Parameters p) {{ return {}; }}\n", model.hasF() ? "F(s, p)" : "vec3(0.0)");
+  const auto vectorFunction = [&](std::string_view name, const std::string& body) {
+    text += fmt::format("vec3 {}(Shading s, Parameters p) {{ {} }}\n", name, body);
+  };
   // The scalars first: D * V is one product before the colour comes in.
-  text += fmt::format("vec3 modelSpecular(Shading s, Parameters p) {{ return {}; }}\n",
-                      model.definesSpecular ? "specular(s, p)" : "(D(s, p) * V(s, p)) * F(s, p)");
-  text += "vec3 modelDiffuse(Shading s, Parameters p) { return diffuse(s, p); }\n";
+  vectorFunction("modelBase", model.definesSpecular ? "return specular(s, p);" : "return (D(s, p) * V(s, p)) * F(s, p);");
+  vectorFunction("modelDiffuseBelow", "return diffuse(s, p);");
+  text += fmt::format("void modelColors(inout Shading s, Parameters p) {{{}}}\n", model.definesColors ? " colors(s, p); " : "");
+  text += fmt::format("void modelTurn(inout Shading s, Parameters p) {{{}}}\n",
+                      model.tangentRotation.empty() ? "" : fmt::format(" turnTangent(s, radians(p.{})); ", model.tangentRotation));
+  if (model.definesCoat) {
+    text += "#define MODEL_COAT\n";
+    text += fmt::format("float modelCoatRoughness(Parameters p) {{ return p.{}; }}\n", model.coatRoughness);
+    text += fmt::format("float modelCoatStrength(Parameters p) {{ return p.{}; }}\n", model.coatStrength);
+    vectorFunction("modelThroughCoat", model.definesThroughCoat ? "return throughCoat(s, p);" : "return vec3(1.0);");
+    vectorFunction("modelSpecular", "\n  Shading c = s;\n  setRoughness(c, modelCoatRoughness(p));\n"
+                                    "  return modelThroughCoat(s, p) * modelBase(s, p) + modelCoatStrength(p) * coat(c, p);\n");
+    vectorFunction("modelDiffuse", "return modelThroughCoat(s, p) * diffuse(s, p);");
+    text += "#ifdef COAT\n";
+    vectorFunction("modelLobe", "return coat(s, p);");
+    text += "#else\n";
+    vectorFunction("modelLobe", "return modelBase(s, p);");
+    text += "#endif\n";
+  } else {
+    for (const char* name : {"modelSpecular", "modelLobe"}) vectorFunction(name, "return modelBase(s, p);");
+    vectorFunction("modelDiffuse", "return diffuse(s, p);");
+  }
+  if (model.usesTangent) text += "#define MODEL_TANGENT\n";
+  text += fmt::format("const bool modelHasEnvironment = {}, modelScatters = {};\n", model.definesEnvironment, model.definesScattered);
+  vectorFunction("modelEnvironment", model.definesEnvironment ? "return environment(s, p);" : "return vec3(0.0);");
+  vectorFunction("modelScattered", model.definesScattered ? "return scattered(s, p);" : "return vec3(0.0);");
   return text;
 }
 

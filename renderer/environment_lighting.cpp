@@ -14,9 +14,9 @@
 namespace glint {
 namespace {
 
-constexpr int kLobeWidth = 1024;
+constexpr int kLobeWidth = 1024, kAzimuths = 8;
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 4;
+constexpr uint64_t kCacheVersion = 5;
 
 // Also part of them: the recipe, so that a changed shader or number of samples never meets old results.
 uint64_t recipeHash() {
@@ -129,34 +129,70 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   return maps_.put(environment->hash, std::move(maps));
 }
 
-Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSetting& setting) {
+namespace {
+
+std::vector<std::string> definesOf(Lobe lobe) {
+  return lobe == Lobe::Coat ? std::vector<std::string>{"COAT"} : std::vector<std::string>{};
+}
+
+uint64_t keyOf(const ModelSetting& setting, Lobe lobe) { return tableKey(setting) ^ static_cast<uint64_t>(lobe); }
+
+}  // namespace
+
+Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSetting& setting, Lobe which) {
   const auto program = programs_.get(
-      vertexText(), {"shaders/passes/lobe.frag", {}, {{"model", setting.shader->glsl}}});
+      vertexText(), {"shaders/passes/lobe.frag", definesOf(which), {{"model", setting.shader->glsl}}});
   if (!program) return program.diagnostics();
   float roughnesses[16] = {};
   for (int level = 0; level < kLevels; ++level) roughnesses[level] = levelRoughness(level);
   glProgramUniform1fv((*program)->id(), (*program)->location("roughnesses"), 16, roughnesses);
+  const bool round = !setting.shader->model->usesTangent || which == Lobe::Coat;
+  const int azimuths = round ? 1 : kAzimuths, height = kLevels * azimuths;
   (*program)->set("width", static_cast<float>(kLobeWidth));
+  (*program)->set("roughnessCount", kLevels);
+  (*program)->set("azimuthCount", azimuths);
   setting.apply(**program);
-  const gl::Texture target = gl::createTexture2D(GL_R32F, kLobeWidth, kLevels);
+  const gl::Texture target = gl::createTexture2D(GL_R32F, kLobeWidth, height);
   const GLuint color = target.id();
   const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
-  drawFullTarget(**program, framebuffer.id(), kLobeWidth, kLevels);
-  std::vector<float> values(kLobeWidth * kLevels);
+  drawFullTarget(**program, framebuffer.id(), kLobeWidth, height);
+  std::vector<float> values(static_cast<size_t>(kLobeWidth * height));
   glGetTextureImage(color, 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * 4), values.data());
   if (const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !(v >= 0); })) {
-    invalid_[tableKey(setting)].lobe = static_cast<int>(bad);
+    int& told = invalid_[tableKey(setting)].lobe;
+    told = std::max(told, static_cast<int>(bad));
     for (float& v : values) v = v >= 0 ? v : 0;
   }
+  const auto row = [&](int azimuth, int level) {
+    const auto begin = values.begin() + (azimuth * kLevels + level) * kLobeWidth;
+    return std::vector<float>(begin, begin + kLobeWidth);
+  };
   std::vector<std::vector<float>> rows;
-  for (int level = 0; level < kLevels; ++level)
-    rows.emplace_back(values.begin() + level * kLobeWidth, values.begin() + (level + 1) * kLobeWidth);
+  std::array<glm::vec2, kLevels> stretch{};
+  for (int level = 0; level < kLevels; ++level) {
+    std::vector<std::vector<float>> around;
+    for (int azimuth = 0; azimuth < azimuths; ++azimuth) around.push_back(row(azimuth, level));
+    const StretchedLobe lobe = round ? StretchedLobe{} : stretchedLobe(around);
+    stretch[static_cast<size_t>(level)] = level == 0 ? glm::vec2(0) : lobe.stretch;
+    rows.push_back(std::move(around[lobe.narrowest]));
+  }
+  if (!round) stretches_[tableKey(setting)] = stretch;
   return rows;
 }
 
+const std::array<glm::vec2, EnvironmentLighting::kLevels>& EnvironmentLighting::stretch(const ModelSetting& setting) {
+  const uint64_t key = tableKey(setting);
+  if (!stretches_.contains(key)) {
+    if (stretches_.size() > 1000) stretches_.clear();
+    const auto rows = lobe(setting);
+    GLINT_CHECK(rows.ok() && stretches_.contains(key), "the model uses the tangent and compiles");
+  }
+  return stretches_.at(key);
+}
+
 Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environment, const ModelSetting& setting,
-                                                   const std::array<int, kLevels>& samples) {
-  const auto rows = lobe(setting);
+                                                   const std::array<int, kLevels>& samples, Lobe which) {
+  const auto rows = lobe(setting, which);
   if (!rows) return rows.diagnostics();
   const EnvironmentMaps& source = maps(environment);
   gl::Texture cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
@@ -271,8 +307,8 @@ gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& 
   return gl::createBuffer(std::as_bytes(std::span(padded)));
 }
 
-Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting) {
-  const uint64_t modelKey = tableKey(setting);
+Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting, Lobe which) {
+  const uint64_t modelKey = keyOf(setting, which);
   const uint64_t key = hashBytes(&modelKey, 8, environment->hash);
   if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
 
@@ -301,7 +337,7 @@ Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environmen
   if (!cube) {
     std::array<int, kLevels> samples;
     for (int level = 0; level < kLevels; ++level) samples[static_cast<size_t>(level)] = levelSamples(level);
-    auto made = prefilter(environment, setting, samples);
+    auto made = prefilter(environment, setting, samples, which);
     if (!made) return made.diagnostics();
     cube = std::move(*made);
     // What is wrong is not kept, so that it is said whenever it is drawn.
@@ -340,15 +376,15 @@ bool isGrey(const std::string& halfs) {
 
 }  // namespace
 
-Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSetting& setting) {
-  const uint64_t key = tableKey(setting);
+Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSetting& setting, Lobe which) {
+  const uint64_t key = keyOf(setting, which);
   if (const StoredBrdf* found = brdf_.find(key)) return BrdfTable{found->texture.id(), found->colored};
   std::string halfs(3 * kTableBytes, '\0');
   if (auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == halfs.size()) {
     halfs = std::move(*stored);
   } else {
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 0);
-    const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", {},
+    const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", definesOf(which),
                                                       {{"model", setting.shader->glsl}}});
     if (!program) return program.diagnostics();
     drawBrdf(setting, **program, halfs);
@@ -356,7 +392,7 @@ Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSett
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
   }
   StoredBrdf made;
-  made.colored = !isGrey(halfs);
+  made.colored = which == Lobe::Coat || !isGrey(halfs);
   int bad = 0;
   std::vector<glm::vec3> grey;
   for (size_t i = 0; i < kTexels; ++i) {
@@ -364,7 +400,7 @@ Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSett
     bad += scale.a == 0;
     grey.emplace_back(scale.g, texelOf(halfs, 1, i).g, texelOf(halfs, 2, i).g);
   }
-  if (bad) invalid_[key].brdf = bad;
+  if (bad) invalid_[tableKey(setting)].brdf = bad;
   made.texture = gl::createTexture2D(GL_RGBA16F, kBrdfSize, made.colored ? 3 * kBrdfSize : kBrdfSize);
   if (made.colored) glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, 3 * kBrdfSize, GL_RGBA, GL_HALF_FLOAT, halfs.data());
   else glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGB, GL_FLOAT, grey.data());

@@ -21,6 +21,9 @@ namespace glint {
 
 using Progress = std::function<void(const std::string& what, double fraction)>;
 
+// The specular part without a coat, or the coat (model.h).
+enum class Lobe { Base, Coat };
+
 struct EnvironmentMaps {
   gl::Texture cube;                      // RGBA16F with a full mip chain
   int size = 0;                          // texels along a side of level 0
@@ -53,22 +56,26 @@ class EnvironmentLighting {
   const EnvironmentMaps& maps(const EnvironmentPtr&);
   // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
   // is the model's GLSL not compiling.
-  Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&);
+  Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&, Lobe = Lobe::Base);
   struct BrdfTable {
     GLuint texture = 0;
-    bool colored = false;  // three tables, see environmentBrdfAt() in lighting.frag
+    bool colored = false;  // three tables, see environmentBrdfAt() in lighting.frag; a coat's always is
   };
-  Result<BrdfTable> brdf(const ModelSetting&);
+  Result<BrdfTable> brdf(const ModelSetting&, Lobe = Lobe::Base);
   // How many values of the tables made for a setting were not finite (or beyond what a half can hold) and are 0 instead.
   struct Invalid {
     int brdf = 0, lobe = 0;
   };
   Invalid invalid(const ModelSetting&) const;
 
-  // The lobe's values over the angle (lobe.h), one row for each level.
-  Result<std::vector<std::vector<float>>> lobe(const ModelSetting&);
+  // The lobe's values over the angle (lobe.h), one row for each level; of a model that uses the tangent, along the
+  // direction in which it is narrowest.
+  Result<std::vector<std::vector<float>>> lobe(const ModelSetting&, Lobe = Lobe::Base);
+  // By how much the lobe of a model that uses the tangent is wider than that, as slopes of the half vector along the
+  // tangent and the bitangent.
+  const std::array<glm::vec2, kLevels>& stretch(const ModelSetting&);
   // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
-  Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples);
+  Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples, Lobe = Lobe::Base);
 
   // Draws every pixel of a framebuffer with a program whose vertex shader is shaders/passes/tiles.vert.
   void drawFullTarget(const gl::Program&, GLuint framebuffer, int width, int height);
@@ -95,6 +102,7 @@ class EnvironmentLighting {
   RecentlyUsed<gl::Texture> prefiltered_;
   RecentlyUsed<StoredBrdf> brdf_;
   std::unordered_map<uint64_t, Invalid> invalid_;  // by setting; only those that have any
+  std::unordered_map<uint64_t, std::array<glm::vec2, kLevels>> stretches_;  // by setting; of models that use the tangent
 };
 
 // Coefficients of the irradiance of an environment (Ramamoorthi and Hanrahan 2001, eq. 13), over pi.

@@ -4,7 +4,7 @@ namespace glint {
 namespace {
 
 // Attachments that a frame does not have still need a name in the framebuffer's list.
-gl::Framebuffer gbufferOf(std::initializer_list<GLuint> textures, GLuint depth) {
+gl::Framebuffer gbufferOf(const std::vector<GLuint>& textures, GLuint depth) {
   GLuint id = 0;
   glCreateFramebuffers(1, &id);
   std::vector<GLenum> buffers;
@@ -28,8 +28,8 @@ gl::Texture nearestTexture(GLenum format, int width, int height) {
 
 }  // namespace
 
-void FrameTargets::resize(int width, int height, bool emissive, bool parameters) {
-  if (width == width_ && height == height_ && emissive == emissive_ && parameters == parameters_) return;
+void FrameTargets::resize(int width, int height, OptionalAttachments optional) {
+  if (width == width_ && height == height_ && optional == optional_) return;
   if (width != width_ || height != height_) {
     baseColor_ = nearestTexture(GL_RGBA16F, width, height);
     normal_ = nearestTexture(GL_RGBA16_SNORM, width, height);
@@ -37,30 +37,32 @@ void FrameTargets::resize(int width, int height, bool emissive, bool parameters)
     depth_ = nearestTexture(GL_DEPTH24_STENCIL8, width, height);
     emissiveTexture_ = {};
     parametersTexture_ = {};
+    tangentTexture_ = {};
     accumulation_ = {};
     accumulationTexture_ = {};
     ++sizes_;
   }
   width_ = width;
   height_ = height;
-  emissive_ = emissive;
-  parameters_ = parameters;
-  if (emissive && !emissiveTexture_) emissiveTexture_ = nearestTexture(GL_R11F_G11F_B10F, width, height);
-  if (parameters && !parametersTexture_) parametersTexture_ = nearestTexture(GL_RGBA16F, width, height);
-  if (parameters)
-    gbuffer_ = gbufferOf({baseColor_.id(), normal_.id(), material_.id(), emissive ? emissiveTexture_.id() : 0,
-                          parametersTexture_.id()}, depth_.id());
-  else if (emissive)
-    gbuffer_ = gbufferOf({baseColor_.id(), normal_.id(), material_.id(), emissiveTexture_.id()}, depth_.id());
-  else
-    gbuffer_ = gbufferOf({baseColor_.id(), normal_.id(), material_.id()}, depth_.id());
+  optional_ = optional;
+  const auto make = [&](bool wanted, gl::Texture& texture, GLenum format) {
+    if (wanted && !texture) texture = nearestTexture(format, width, height);
+    return wanted ? texture.id() : 0;
+  };
+  std::vector<GLuint> textures = {baseColor_.id(), normal_.id(), material_.id(),
+                                  make(optional.emissive, emissiveTexture_, GL_R11F_G11F_B10F),
+                                  make(optional.parameters, parametersTexture_, GL_RGBA16F),
+                                  make(optional.tangent, tangentTexture_, GL_R16_SNORM)};
+  while (textures.back() == 0) textures.pop_back();
+  gbuffer_ = gbufferOf(textures, depth_.id());
 }
 
 void FrameTargets::bindGbuffer() const {
-  const GLuint textures[] = {baseColor_.id(), normal_.id(), material_.id(), emissive_ ? emissiveTexture_.id() : 0,
-                             parameters_ ? parametersTexture_.id() : 0, depth_.id()};
+  const GLuint textures[] = {baseColor_.id(), normal_.id(), material_.id(), optional_.emissive ? emissiveTexture_.id() : 0,
+                             optional_.parameters ? parametersTexture_.id() : 0, depth_.id()};
   glBindTextures(0, 6, textures);
-  for (GLuint unit = 0; unit < 8; ++unit) glBindSampler(unit, 0);
+  if (optional_.tangent) glBindTextureUnit(9, tangentTexture_.id());
+  glBindSamplers(0, 16, nullptr);
 }
 
 FrameTargets::Picture& FrameTargets::nextPicture() {

@@ -7,12 +7,18 @@
 
 namespace glint {
 
+// Attachments that only some frames need.
+struct OptionalAttachments {
+  bool emissive = false, parameters = false, tangent = false;
+  bool operator==(const OptionalAttachments&) const = default;
+};
+
 // The G-buffer (shaders/common/gbuffer.glsl has the table) and what light is gathered in. Textures grow with the
 // picture and are kept.
 class FrameTargets {
  public:
-  // Makes everything fit a picture of this size with these optional attachments.
-  void resize(int width, int height, bool emissive, bool parameters);
+  // Makes everything fit a picture of this size with these attachments.
+  void resize(int width, int height, OptionalAttachments);
 
   GLuint gbuffer() const { return gbuffer_.id(); }
   void bindGbuffer() const;      // as textures, at the units of shaders/common/gbuffer_read.glsl
@@ -36,8 +42,8 @@ class FrameTargets {
 
  private:
   int width_ = 0, height_ = 0;
-  bool emissive_ = false, parameters_ = false;
-  gl::Texture baseColor_, normal_, material_, emissiveTexture_, parametersTexture_, depth_, accumulationTexture_;
+  OptionalAttachments optional_;
+  gl::Texture baseColor_, normal_, material_, emissiveTexture_, parametersTexture_, tangentTexture_, depth_, accumulationTexture_;
   gl::Framebuffer gbuffer_, accumulation_;
   std::array<Picture, 2> pictures_;
   size_t picture_ = 0;

@@ -21,7 +21,53 @@ double radicalInverse(uint32_t i) {
   return i * 0x1p-32;
 }
 
+// The lower end of an entry's interval.
+double edgeAngle(size_t i, size_t size) {
+  const double u = static_cast<double>(i) / static_cast<double>(size);
+  return kHalfPi * u * u;
+}
+
+// The lobe's mass up to the upper end of each entry's interval: kernel sin(theta) d theta.
+std::vector<double> massOf(std::span<const float> kernel) {
+  const size_t n = kernel.size();
+  std::vector<double> mass(n + 1, 0.0);
+  for (size_t i = 0; i < n; ++i)
+    mass[i + 1] = mass[i] + std::max(0.0f, kernel[i]) * (std::cos(edgeAngle(i, n)) - std::cos(edgeAngle(i + 1, n)));
+  return mass;
+}
+
+// The slope of the half vector that half of the mass lies within: alpha, for a narrow GGX.
+double medianSlope(std::span<const float> kernel) {
+  const std::vector<double> mass = massOf(kernel);
+  if (!(mass.back() > 0)) return 0;
+  const auto middle = std::lower_bound(mass.begin(), mass.end(), 0.5 * mass.back());
+  return std::tan(0.5 * edgeAngle(static_cast<size_t>(middle - mass.begin()), kernel.size()));
+}
+
 }  // namespace
+
+StretchedLobe stretchedLobe(std::span<const std::vector<float>> rows) {
+  // The squared inverse of an ellipse's radius is a constant and one wave of twice the azimuth.
+  StretchedLobe lobe;
+  double constant = 0, cosine = 0, sine = 0, smallest = 1e30;
+  const double n = static_cast<double>(rows.size());
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const double slope = medianSlope(rows[i]), azimuth = kTau * static_cast<double>(i) / n;
+    if (!(slope > 0)) return {};
+    if (slope < smallest) lobe.narrowest = i;
+    smallest = std::min(smallest, slope);
+    const double inverse = 1 / (slope * slope);
+    constant += inverse / n;
+    cosine += 2 * inverse * std::cos(azimuth) / n;
+    sine += 2 * inverse * std::sin(azimuth) / n;
+  }
+  const double wave = std::min(std::hypot(cosine, sine), 0.9999 * constant);
+  if (wave < 0.01 * constant) return lobe;
+  const double stretch = std::sqrt(1 / (constant - wave) - 1 / (constant + wave));
+  const double widest = 0.5 * std::atan2(sine, cosine) + kHalfPi;
+  lobe.stretch = glm::dvec2(std::cos(widest), std::sin(widest)) * stretch;
+  return lobe;
+}
 
 float lobeAngle(size_t i, size_t size) {
   const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(size);
@@ -31,16 +77,8 @@ float lobeAngle(size_t i, size_t size) {
 std::vector<glm::vec4> lobeSamples(std::span<const float> kernel, int count, int sourceSize) {
   GLINT_CHECK(!kernel.empty() && count > 0, "kernel {} count {}", kernel.size(), count);
   const size_t n = kernel.size();
-  // The lobe's mass up to the upper end of each entry's interval: kernel sin(theta) d theta.
-  std::vector<double> mass(n + 1, 0.0);
-  const auto edge = [n](size_t i) {
-    const double u = static_cast<double>(i) / static_cast<double>(n);
-    return kHalfPi * u * u;
-  };
-  for (size_t i = 0; i < n; ++i) {
-    const double solid = std::cos(edge(i)) - std::cos(edge(i + 1));
-    mass[i + 1] = mass[i] + std::max(0.0f, kernel[i]) * solid;
-  }
+  const std::vector<double> mass = massOf(kernel);
+  const auto edge = [n](size_t i) { return edgeAngle(i, n); };
   std::vector<glm::vec4> samples;
   if (!(mass[n] > 0)) return {glm::vec4(0, 0, 1, 0)};
 

@@ -13,6 +13,14 @@ namespace glint {
 // texels a side whose texels cover the solid angle that the sample stands for. A lobe of zeros yields the axis.
 std::vector<glm::vec4> lobeSamples(std::span<const float> kernel, int count, int sourceSize);
 
+// A lobe around +Z that is not round: `rows` are kernels as above, one for each of the azimuths pi k / rows.size().
+struct StretchedLobe {
+  size_t narrowest = 0;      // the row
+  glm::vec2 stretch{0};      // a slope of the half vector, along the direction in which it is widest: the root of
+                             // the difference of the squared widths
+};
+StretchedLobe stretchedLobe(std::span<const std::vector<float>> rows);
+
 // The angle of entry i in radians: pi/2 u^2 at u = (i + 1/2) / size, denser towards the axis. shaders/passes/lobe.frag
 // evaluates the kernel there.
 float lobeAngle(size_t i, size_t size);

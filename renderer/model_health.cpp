@@ -185,7 +185,7 @@ class Examination {
     law.claimed = model_.claims.energyConserving;
     for (size_t i = 0; i < sums.size(); ++i) {
       if (hasD_) distribution(sums[i].distribution, queries[i]);
-      for (const auto& [part, albedo] : {std::pair{"specular", sums[i].specular}, {"diffuse", sums[i].diffuse}}) {
+      for (const auto& [part, albedo] : {std::pair{"specular", sums[i].specular}, {"diffuse", sums[i].diffuse}, {"scattered", sums[i].scattered}}) {
         const double most = std::max({albedo.r, albedo.g, albedo.b});
         if (!(most > law.value) || told(law)) continue;
         law.value = most;
@@ -218,7 +218,8 @@ class Examination {
     LawResult& law = result(Law::MirrorLimit);
     law.value = sum.specular.g;
     law.where = at(query[0]);
-    if (hasD_ && sum.specular.g < 1 - kMirror) {
+    // A coat keeps some of the light from what is below it.
+    if (hasD_ && !model_.definesCoat && sum.specular.g < 1 - kMirror) {
       law.verdict = Verdict::Amber;
       law.reason = fmt::format("a white mirror reflects only {:.4g} of what it receives", sum.specular.g);
       law.hint = "check the factors of D and V: V is G / (4 NoL NoV), D has its 1/pi";

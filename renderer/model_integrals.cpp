@@ -50,7 +50,7 @@ struct DeviceQuery {
   glm::vec4 roughnessNoVLight, slots, F0, diffuse;
 };
 struct Sums {
-  glm::vec4 specular, specularBlack, diffuse;
+  glm::vec4 specular, specularBlack, diffuse, scattered;
 };
 
 }  // namespace
@@ -109,6 +109,7 @@ std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuer
       integral.specular += nodes.specular[node] * glm::dvec3(sums[i].specular);
       integral.specularBlack += nodes.specular[node] * glm::dvec3(sums[i].specularBlack);
       integral.diffuse += nodes.diffuse[node] * glm::dvec3(sums[i].diffuse);
+      integral.scattered += 4 * nodes.diffuse[node] * glm::dvec3(sums[i].scattered);
       integral.distribution += nodes.distribution[node] * sums[i].specular.w;
       integral.projected += nodes.distribution[node] * sums[i].specularBlack.w;
     }

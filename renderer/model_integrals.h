@@ -24,6 +24,7 @@ struct ModelIntegral {
   glm::dvec3 specular{};       // directional albedo of the specular part for the query's F0: of f NoL
   glm::dvec3 specularBlack{};  // and for F0 = 0: the B of the environment BRDF; A is the rest for F0 1 (Karis 2013, eq. 8)
   glm::dvec3 diffuse{};        // directional albedo of the diffuse part
+  glm::dvec3 scattered{};      // of the scattered light, over light from all around
   double distribution = 0;     // of D NoH: 1 for a distribution of normals
   double projected = 0;        // of D max(VoH, 0): the area that Smith's masking brings back to NoV (Heitz 2014, eq. 14)
 };

@@ -45,6 +45,7 @@ Shading shadingAt(Point p) {
   s.metallic = p.F0.w;
   s.specular = p.diffuse.w;
   s.analyticLight = p.more.w != 0.0;
+  s.plainNonmetal = false;
   return s;
 }
 )";
@@ -102,7 +103,7 @@ Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string&
                        glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
                        "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
                        "  vec4 a = points[i].a, b = points[i].b;\n" +
-                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(slots);\n  modelPrepare(s, p);\n" : "");
+                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(slots);\n  modelTurn(s, p);\n  modelPrepare(s, p);\n" : "");
   for (size_t k = 0; k < outputs.size(); ++k)
     source += fmt::format("  values[i * {}u + {}u] = {};\n", outputs.size(), k, outputs[k]);
   source += "}\n";
@@ -145,7 +146,7 @@ vec4 chosen(int choice, Shading s, vec4 a, vec4 b) {
 }
 
 Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {
-  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), 0.0)"});
+  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"});
 }
 
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model) {

@@ -42,7 +42,7 @@ class ModelProbe {
   // Expressions are GLSL of type vec4 from `Shading s` and `vec4 a, b` of the point, with all terms at hand. One output:
   // the expression that the point chooses.
   static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
-  // Two outputs: (specular f, D) and (diffuse f, 0), both without cosine. Errors: at the plugin's own lines.
+  // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own lines.
   static Result<ModelProbe> ofModel(const ShadingModel&);
   // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
   static Result<ModelProbe> ofModelParts(const ShadingModel&);

@@ -7,8 +7,9 @@ namespace glint {
 ModelShader::ModelShader(std::shared_ptr<const ShadingModel> m)
     : model(std::move(m)), glsl(modelGlsl(*model, kModelSourceIndex)), hash(hashText(glsl)) {}
 
-ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::vector<Value>& values) {
+ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::vector<Value>& values, bool plainNonmetal) {
   ModelSetting setting;
+  setting.plainNonmetal = plainNonmetal && shader->model->usesPlainNonmetal;
   const auto& parameters = shader->model->parameters;
   for (size_t i = 0; i < parameters.size(); ++i) {
     const Value& value = i < values.size() ? values[i] : parameters[i].standard;
@@ -25,13 +26,14 @@ ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::
 }
 
 uint64_t ModelSetting::key() const {
-  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash);
+  const uint64_t h = hashBytes(slots.data(), sizeof slots, shader->hash ^ uint64_t{plainNonmetal});
   return hashBytes(constants.data(), constants.size() * sizeof(glm::vec4), h);
 }
 
 void ModelSetting::apply(const gl::Program& program) const {
   program.set4("standardParameters", slots.data());
   program.set4("glintModelConstants", &constants[0].x, static_cast<int>(constants.size()));
+  program.set("plainNonmetal", plainNonmetal ? 1 : 0);
 }
 
 }  // namespace glint

@@ -25,13 +25,14 @@ struct ModelSetting {
   std::shared_ptr<const ModelShader> shader;
   std::array<float, 4> slots{};          // by ModelParameter::slot
   std::vector<glm::vec4> constants;      // glintModelConstants: one each without a slot, at least one
+  bool plainNonmetal = false;            // Shading::plainNonmetal, for models that read it
 
   uint64_t key() const;                  // of the text and the values
-  // Sets standardParameters and glintModelConstants. Who draws calls ModelTables::apply() instead, which binds what was
+  // Sets standardParameters, glintModelConstants and plainNonmetal. Who draws calls ModelTables::apply() instead, which binds what was
   // derived from the model too.
   void apply(const gl::Program&) const;
 };
 // `values` are in the order of the model's parameters; those missing are at their defaults.
-ModelSetting modelSetting(std::shared_ptr<const ModelShader>, const std::vector<Value>& values);
+ModelSetting modelSetting(std::shared_ptr<const ModelShader>, const std::vector<Value>& values, bool plainNonmetal = false);
 
 }  // namespace glint

@@ -170,12 +170,13 @@ struct Renderer::State {
     lighting.forgetUnused();
     problems.clear();
     statistics = {};
-    emissive = parameters = false;
+    optional = {};
     for (const View& view : views) {
       GLINT_CHECK(view.scene != nullptr && view.rectangle.z > 0 && view.rectangle.w > 0);
       for (const SurfaceMaterial& material : view.scene->materials) {
-        emissive |= material.compiled->writesEmissive;
-        parameters |= material.compiled->writesModelParameters;
+        optional.emissive |= material.compiled->writesEmissive;
+        optional.parameters |= material.compiled->writesModelParameters;
+        optional.tangent |= material.model->usesTangent;
       }
     }
     for (const View& view : views) {
@@ -215,7 +216,7 @@ struct Renderer::State {
     LightGroup group;
     const auto sound = soundShaderOf(material.model);
     group.broken = !sound;
-    group.setting = modelSetting(sound ? sound : shaderOf(material.model), material.modelParameters);
+    group.setting = modelSetting(sound ? sound : shaderOf(material.model), material.modelParameters, material.compiled->plainNonmetal);
     group.key = group.setting.key();
     for (size_t i = 0; i < groups.size(); ++i)
       if (groups[i].key == group.key) return static_cast<int>(i);
@@ -230,8 +231,9 @@ struct Renderer::State {
   // -- Passes ------------------------------------------------------------------------------------------------------
   std::vector<std::string> surfaceDefines(const CompiledMaterial& material) const {
     std::vector<std::string> defines;
-    if (emissive) defines.push_back("WRITES_EMISSIVE");
-    if (parameters) defines.push_back("WRITES_PARAMETERS");
+    if (optional.emissive) defines.push_back("WRITES_EMISSIVE");
+    if (optional.parameters) defines.push_back("WRITES_PARAMETERS");
+    if (optional.tangent) defines.push_back("WRITES_TANGENT");
     if (material.writesNormal) defines.push_back("WRITES_NORMAL");
     if (material.writesOpacityMask) defines.push_back("WRITES_OPACITY_MASK");
     return defines;
@@ -357,29 +359,57 @@ struct Renderer::State {
         }
         std::vector<std::string> defines = outputDefines(settings, output);
         if (!r.view.points.empty()) defines.push_back("POINT_LIGHTS");
-        if (emissive) defines.push_back("EMISSIVE");
-        if (parameters) defines.push_back("READS_PARAMETERS");
-        GLuint cube = 0, irradiance = 0;
-        EnvironmentLighting::BrdfTable table;
+        if (optional.emissive) defines.push_back("EMISSIVE");
+        if (optional.parameters) defines.push_back("READS_PARAMETERS");
+        GLuint cube = 0, irradiance = 0, coatCube = 0;
+        EnvironmentLighting::BrdfTable table, coatTable;
+        const bool coated = environment && group.setting.shader->model->definesCoat;
+        const bool usesTangent = environment && group.setting.shader->model->usesTangent;
+        std::array<glm::vec2, EnvironmentLighting::kLevels> stretch{};
         if (environment) {
           // Building tables changes the state; the pass begins anew after it.
           const auto prefiltered = lighting.prefiltered(environment, group.setting);
           const auto brdf = lighting.brdf(group.setting);
-          GLINT_CHECK(prefiltered && brdf, "a sound shader has tables");
+          if (!prefiltered || !brdf) {
+            failedGroup(r, g, settings, framebuffer, output, !prefiltered ? prefiltered.diagnostics() : brdf.diagnostics());
+            continue;
+          }
           cube = *prefiltered;
           table = *brdf;
           irradiance = lighting.maps(environment).irradianceBuffer.id();
+          if (coated) {
+            const auto coat = lighting.prefiltered(environment, group.setting, Lobe::Coat);
+            const auto coatBrdf = lighting.brdf(group.setting, Lobe::Coat);
+            if (!coat || !coatBrdf) {
+              failedGroup(r, g, settings, framebuffer, output, !coat ? coat.diagnostics() : coatBrdf.diagnostics());
+              continue;
+            }
+            coatCube = *coat;
+            coatTable = *coatBrdf;
+          }
+          if (usesTangent) stretch = lighting.stretch(group.setting);
           reportInvalidTables(group.setting);
           defines.push_back("ENVIRONMENT");
           if (table.colored) defines.push_back("COLORED_BRDF");
         }
-        const gl::Program& program = lightingProgram(group, defines);
+        const auto found = programs.get(tileVertex(), {"shaders/passes/lighting.frag", defines, {{"model", group.setting.shader->glsl}}});
+        if (!found) {
+          failedGroup(r, g, settings, framebuffer, output, found.diagnostics());
+          continue;
+        }
+        const gl::Program& program = **found;
         beginRectangles(framebuffer, output);
         bindLighting(r, group);
         if (environment) {
           glBindTextureUnit(6, cube);
           glBindTextureUnit(7, table.texture);
           glBindBufferBase(GL_UNIFORM_BUFFER, 3, irradiance);
+          if (coated) {
+            glBindTextureUnit(11, coatCube);
+            glBindTextureUnit(12, coatTable.texture);
+          }
+          if (usesTangent)
+            glProgramUniform2fv(program.id(), program.location("lobeStretch"), static_cast<GLsizei>(stretch.size()), &stretch[0].x);
         }
         group.setting.apply(program);
         glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);
@@ -415,10 +445,13 @@ struct Renderer::State {
     }
   }
 
-  const gl::Program& lightingProgram(const LightGroup& group, const std::vector<std::string>& defines) {
-    const auto program = programs.get(tileVertex(), {"shaders/passes/lighting.frag", defines, {{"model", group.setting.shader->glsl}}});
-    GLINT_CHECK(program.ok(), "{}", program.ok() ? "" : program.diagnostics()[0].text());
-    return **program;
+  // A plugin that compiles by itself may still clash with a name of a pass.
+  void failedGroup(const ReadyView& r, size_t index, const RenderSettings& settings, GLuint framebuffer, Output output, const Diagnostics& faults) {
+    const Diagnostics said = modelErrors(*r.groups[index].setting.shader->model, faults[0].what);
+    for (const Diagnostic& d : said)
+      if (std::find(problems.begin(), problems.end(), d) == problems.end()) problems.push_back(d);
+    beginRectangles(framebuffer, output);
+    brokenGroup(r, index, settings, output);
   }
 
   // A plugin that never compiled shows as a flat magenta, which no light makes by itself.
@@ -483,8 +516,8 @@ struct Renderer::State {
       ++mode;
     }
     std::vector<std::string> defines = outputDefines(settings, output);
-    if (emissive) defines.push_back("EMISSIVE");
-    if (parameters) defines.push_back("READS_PARAMETERS");
+    if (optional.emissive) defines.push_back("EMISSIVE");
+    if (optional.parameters) defines.push_back("READS_PARAMETERS");
     const gl::Program& program = programs.shipped(tileVertex(), {"shaders/passes/buffer_view.frag", defines, {}});
     for (const ReadyView& r : ready) {
       std::array<glm::vec4, 256> colors{};
@@ -512,7 +545,7 @@ struct Renderer::State {
 
   void drawSample(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, GLuint framebuffer, Output output) {
     prepare(views, settings, jitterOf(sample));
-    targets.resize(size.x, size.y, emissive, parameters);
+    targets.resize(size.x, size.y, optional);
     gbufferPass();
     if (settings.view == "lit")
       lightingPass(settings, framebuffer, output);
@@ -533,7 +566,7 @@ struct Renderer::State {
   // The pixels that no pass writes are cleared; those of the background pass need none.
   void drawPicture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
     // The optional attachments decide the targets, so they are settled before a target is chosen.
-    targets.resize(size.x, size.y, emissive, parameters);
+    targets.resize(size.x, size.y, optional);
     picture = &targets.nextPicture();
     clear(picture->framebuffer.id(), 1);
     drawSample(views, size, settings, 0, picture->framebuffer.id(), Output::Picture);
@@ -542,7 +575,7 @@ struct Renderer::State {
   }
 
   void accumulate(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, Output output) {
-    targets.resize(size.x, size.y, emissive, parameters);
+    targets.resize(size.x, size.y, optional);
     const GLuint framebuffer = targets.accumulation();
     if (sample == 0) {
       clear(framebuffer, 0);
@@ -586,7 +619,7 @@ struct Renderer::State {
   gl::Buffer wholeTile;
   gl::Texture blackCube, tileLights;
   std::vector<ReadyView> ready;
-  bool emissive = false, parameters = false;
+  OptionalAttachments optional;         // of the frame
   int accumulated = 0;
   FrameTargets::Picture* picture = nullptr;
   GLuint lastFramebuffer = 0;

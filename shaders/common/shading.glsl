@@ -16,6 +16,8 @@ struct Shading {
   float metallic, specular;
   // True under a light with a direction, false under an environment: some models differ (Karis 2013, p. 3).
   bool analyticLight;
+  // True where the material leaves metallic and specular unconnected: a nonmetal with F0 = 0.04 and nothing else.
+  bool plainNonmetal;
 };
 
 const float kPi = 3.14159265358979323846;
@@ -70,6 +72,13 @@ void setLight(inout Shading s, vec3 L) {
   s.NoH = clamp(along / length1, 0.0, 1.0);
   // Opposite directions have no half vector; any perpendicular one will do.
   s.H = length2 > 1e-12 ? sum / length1 : s.N;
+}
+
+// Turns the tangent frame about the normal, counter-clockwise seen against it.
+void turnTangent(inout Shading s, float angle) {
+  vec3 T = cos(angle) * s.T + sin(angle) * s.B;
+  s.B = cos(angle) * s.B - sin(angle) * s.T;
+  s.T = T;
 }
 
 void setDirections(inout Shading s, vec3 N, vec3 V, vec3 L) {

@@ -10,7 +10,14 @@ layout(location = 1) out vec4 outBias;
 layout(location = 2) out vec4 outDiffuse;  // albedo of the diffuse part for diffuseColor 1
 uniform vec2 size;
 uniform vec4 standardParameters;
-const int kPsi = 64, kPhi = 48, kDiffuse = 16;
+uniform bool plainNonmetal;
+#ifdef MODEL_TANGENT
+// The average over the view's azimuth: the tangent turns instead, and half a turn of half vectors sees it all.
+const int kFrames = 4, kPhi = 24;
+#else
+const int kFrames = 1, kPhi = 48;
+#endif
+const int kPsi = 64, kDiffuse = 16;
 
 void main() {
   // The first and last texels stand on 0 and 1, so that the ends of the table are exact.
@@ -25,13 +32,19 @@ void main() {
   s.metallic = 1.0;
   s.specular = 0.5;
   s.analyticLight = false;
+  s.plainNonmetal = plainNonmetal;
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
+  if (kFrames > 1) turnTangent(s, 0.5 * kPi / float(kFrames));
   Parameters p = modelParameters(standardParameters);
-  modelPrepare(s, p);
 
   vec3 at004 = vec3(0.0), at1 = vec3(0.0);
-  for (int i = 0; i < kPsi; ++i) {
+  for (int n = 0; n < kFrames * kPsi; ++n) {
+    int i = n % kPsi;
+    if (i == 0) {
+      if (n > 0) turnTangent(s, kPi / float(kFrames));
+      modelPrepare(s, p);
+    }
     float psi = (float(i) + 0.5) / float(kPsi) * 1.5707963267948966;
     float t = s.alpha * tan(psi);
     float cos2 = 1.0 / (1.0 + t * t);
@@ -39,7 +52,7 @@ void main() {
     // d omega_h = sin(theta) d theta d phi; d theta = alpha cos^2(theta) / cos^2(psi) d psi; both halves of phi.
     float cosPsi = cos(psi);
     float measure = sinTheta * s.alpha * cos2 / (cosPsi * cosPsi) * (1.5707963267948966 / float(kPsi)) *
-                    (2.0 * kPi / float(kPhi));
+                    (2.0 * kPi / float(kPhi * kFrames));
     for (int j = 0; j < kPhi; ++j) {
       float phi = (float(j) + 0.5) / float(kPhi) * kPi;
       vec3 H = vec3(sinTheta * cos(phi), sinTheta * sin(phi), cosTheta);
@@ -52,9 +65,9 @@ void main() {
         s.NoH = cosTheta;
         float weight = measure * 4.0 * VoH * L.z;
         s.F0 = vec3(0.04);
-        at004 += modelSpecular(s, p) * weight;
+        at004 += modelLobe(s, p) * weight;
         s.F0 = vec3(1.0);
-        at1 += modelSpecular(s, p) * weight;
+        at1 += modelLobe(s, p) * weight;
       }
     }
   }
@@ -68,7 +81,7 @@ void main() {
       float phi = (float(j) + 0.5) / float(kDiffuse) * kPi;
       vec3 L = vec3(sqrt(1.0 - cos2) * cos(phi), sqrt(1.0 - cos2) * sin(phi), sqrt(cos2));
       setLight(s, L);
-      diffuseAlbedo += modelDiffuse(s, p) * kPi / float(kDiffuse * kDiffuse);
+      diffuseAlbedo += modelDiffuseBelow(s, p) * kPi / float(kDiffuse * kDiffuse);
     }
   vec3 scale = (at1 - at004) / 0.96, bias = at004 - 0.04 * scale;
   // One sum: compilers make a maximum of several comparisons, and a maximum forgets NaN.

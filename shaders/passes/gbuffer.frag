@@ -1,6 +1,7 @@
 #version 450 core
 #include "shaders/common/view.glsl"
 #include "shaders/common/material.glsl"
+#include "shaders/common/gbuffer.glsl"
 layout(location = 0) in vec3 inNormal;
 layout(location = 1) in vec3 inPosition;
 layout(location = 2) in vec4 inTangent;
@@ -16,6 +17,9 @@ layout(location = 3) out vec4 outEmissive;
 #endif
 #ifdef WRITES_PARAMETERS
 layout(location = 4) out vec4 outParameters;
+#endif
+#ifdef WRITES_TANGENT
+layout(location = 5) out vec4 outTangent;
 #endif
 uniform float lightGroup;      // / 255
 uniform float opacityCutoff;
@@ -53,5 +57,9 @@ void main() {
 #endif
 #ifdef WRITES_PARAMETERS
   outParameters = m.model;
+#endif
+#ifdef WRITES_TANGENT
+  vec3 from = anyTangent(normal);
+  outTangent = vec4(atan(dot(i.tangent, cross(normal, from)), dot(i.tangent, from)) / 3.14159265);
 #endif
 }

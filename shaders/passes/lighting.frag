@@ -9,6 +9,7 @@
 layout(location = 0) flat in ivec2 inLights;
 layout(location = 0) out vec4 outColor;
 uniform vec4 standardParameters;  // where no material varies them
+uniform bool plainNonmetal;
 
 struct DirectionalLight {
   vec4 direction;  // towards the light
@@ -39,19 +40,50 @@ vec3 diffuseIrradiance(vec3 n) {
 // Scale on F0 and bias of the specular part, albedo of the diffuse part over Lambert's. Models without colours of their
 // own have the three in one texel; COLORED_BRDF has a table for each, one above the other.
 struct EnvironmentBrdf { vec3 scale, bias, diffuse; };
+const float kBrdfSize = 64.0;  // EnvironmentLighting::kBrdfSize: the outermost texels stand on 0 and 1
+EnvironmentBrdf coloredBrdfAt(sampler2D table, float NoV, float roughness) {
+  vec2 texel = vec2(NoV, roughness) * (kBrdfSize - 1.0) + 0.5, size = vec2(kBrdfSize, 3.0 * kBrdfSize);
+  return EnvironmentBrdf(textureLod(table, texel / size, 0.0).rgb, textureLod(table, (texel + vec2(0.0, kBrdfSize)) / size, 0.0).rgb,
+                         textureLod(table, (texel + vec2(0.0, 2.0 * kBrdfSize)) / size, 0.0).rgb);
+}
 EnvironmentBrdf environmentBrdfAt(float NoV, float roughness) {
-  const float kSize = 64.0;  // EnvironmentLighting::kBrdfSize: the outermost texels stand on 0 and 1
-  vec2 texel = vec2(NoV, roughness) * (kSize - 1.0) + 0.5;
 #ifdef COLORED_BRDF
-  vec2 size = vec2(kSize, 3.0 * kSize);
-  return EnvironmentBrdf(textureLod(environmentBrdf, texel / size, 0.0).rgb,
-                         textureLod(environmentBrdf, (texel + vec2(0.0, kSize)) / size, 0.0).rgb,
-                         textureLod(environmentBrdf, (texel + vec2(0.0, 2.0 * kSize)) / size, 0.0).rgb);
+  return coloredBrdfAt(environmentBrdf, NoV, roughness);
 #else
-  vec3 table = textureLod(environmentBrdf, texel / kSize, 0.0).rgb;
+  vec3 table = textureLod(environmentBrdf, (vec2(NoV, roughness) * (kBrdfSize - 1.0) + 0.5) / kBrdfSize, 0.0).rgb;
   return EnvironmentBrdf(vec3(table.x), vec3(table.y), vec3(table.z));
 #endif
 }
+
+// Inverse of EnvironmentLighting::levelRoughness.
+float levelOf(float roughness) { return view.environmentLevels * roughness * (1.7 - 0.7 * roughness); }
+
+#ifdef MODEL_TANGENT
+// By how much the model's lobe is wider than the one the cube was filtered with, as slopes of the half vector along
+// the tangent and the bitangent, for each level.
+uniform vec2 lobeStretch[6];
+
+// A wide lobe is a row of narrow ones: half vectors at the quantiles of the slopes of GGX.
+vec3 stretchedLight(Shading s, float level) {
+  const int kRow = 8;
+  int below = int(level);
+  vec2 slope = mix(lobeStretch[below], lobeStretch[min(below + 1, 5)], level - float(below));
+  vec3 axis = slope.x * s.T + slope.y * s.B;
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < kRow; ++i) {
+    float u = (2.0 * float(i) + 1.0) / float(kRow) - 1.0;
+    vec3 H = normalize(s.N + u * inversesqrt(1.0 - u * u) * axis);
+    vec3 L = 2.0 * dot(s.V, H) * H - s.V;
+    sum += vec4(textureLod(prefilteredEnvironment, environmentFromWorld(L), level).rgb, 1.0) * max(dot(s.N, L), 1e-4);
+  }
+  return sum.rgb / sum.a;
+}
+#endif
+
+#ifdef MODEL_COAT
+layout(binding = 11) uniform samplerCube prefilteredCoat;
+layout(binding = 12) uniform sampler2D coatBrdf;
+#endif
 #endif
 
 void main() {
@@ -65,14 +97,20 @@ void main() {
   setView(s, N, V);
   setColors(s, surface.baseColor, surface.metallic, surface.specular);
   s.analyticLight = true;
-  // Any frame around the normal: no attribute turns it.
-  s.T = normalize(abs(N.y) < 0.99 ? cross(vec3(0.0, 1.0, 0.0), N) : cross(N, vec3(1.0, 0.0, 0.0)));
+  s.plainNonmetal = plainNonmetal;
+#ifdef MODEL_TANGENT
+  s.T = readTangent(pixel, N);
+#else
+  s.T = anyTangent(N);
+#endif
   s.B = cross(N, s.T);
 #ifdef READS_PARAMETERS
   Parameters p = modelParameters(texelFetch(gParameters, pixel, 0));
 #else
   Parameters p = modelParameters(standardParameters);
 #endif
+  modelColors(s, p);
+  modelTurn(s, p);
   modelPrepare(s, p);
 
   vec3 radiance = vec3(0.0);
@@ -80,6 +118,7 @@ void main() {
     vec3 L = directional[i].direction.xyz;
     setLight(s, L);
     radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
+    if (modelScatters) radiance += modelScattered(s, p) * directional[i].radiance.rgb;
   }
 #ifdef POINT_LIGHTS
   vec3 position = worldPosition(gl_FragCoord.xy, texelFetch(gDepth, pixel, 0).r);
@@ -89,20 +128,43 @@ void main() {
     vec3 toLight = lightPosition.xyz - position;
     float distance2 = dot(toLight, toLight);
     vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
-    float weight = windowedFalloff(distance2, lightPosition.w) * max(dot(N, L), 0.0);
+    float falloff = windowedFalloff(distance2, lightPosition.w);
     setLight(s, L);
-    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (intensity * weight);
+    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (intensity * (falloff * max(dot(N, L), 0.0)));
+    if (modelScatters) radiance += modelScattered(s, p) * (intensity * falloff);
   }
 #endif
 #ifdef ENVIRONMENT
   // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables.
-  EnvironmentBrdf brdf = environmentBrdfAt(clamp(dot(N, V), 0.0, 1.0), surface.roughness);
+  s.analyticLight = false;
+  float NoV = clamp(dot(N, V), 0.0, 1.0), level = levelOf(surface.roughness);
+  EnvironmentBrdf brdf = environmentBrdfAt(NoV, surface.roughness);
   vec3 R = 2.0 * dot(N, V) * N - V;
-  float level = view.environmentLevels * surface.roughness * (1.7 - 0.7 * surface.roughness);
+#ifdef MODEL_TANGENT
+  vec3 specularLight = stretchedLight(s, level);
+#else
   vec3 specularLight = textureLod(prefilteredEnvironment, environmentFromWorld(R), level).rgb;
-  vec3 diffuseLight = diffuseIrradiance(environmentFromWorld(N));
-  radiance += (specularLight * max(s.F0 * brdf.scale + brdf.bias, 0.0) + diffuseLight * s.diffuseColor * brdf.diffuse) *
-              (surface.ambientOcclusion * view.environmentIntensity);
+#endif
+  vec3 reflected = modelHasEnvironment ? modelEnvironment(s, p) : s.F0 * brdf.scale + brdf.bias;
+  vec3 light = specularLight * max(reflected, 0.0) + diffuseIrradiance(environmentFromWorld(N)) * s.diffuseColor * brdf.diffuse;
+#ifdef MODEL_COAT
+  setLight(s, R);
+  float coatRoughness = clamp(modelCoatRoughness(p), 0.0, 1.0);
+  EnvironmentBrdf coat = coloredBrdfAt(coatBrdf, NoV, coatRoughness);
+  light = light * modelThroughCoat(s, p) + textureLod(prefilteredCoat, environmentFromWorld(R), levelOf(coatRoughness)).rgb *
+                                               max(s.F0 * coat.scale + coat.bias, 0.0) * modelCoatStrength(p);
+#endif
+  if (modelScatters) {
+    // From all sides, by the corners of an icosahedron, in light as soft as what comes out of the surface.
+    const vec2 k = vec2(0.5257311, 0.8506508);
+    for (int i = 0; i < 12; ++i) {
+      vec3 corner = vec3(0.0, (i & 1) == 0 ? k.x : -k.x, (i & 2) == 0 ? k.y : -k.y);
+      vec3 L = i < 4 ? corner : i < 8 ? corner.zxy : corner.yzx;
+      setLight(s, L);
+      light += modelScattered(s, p) * diffuseIrradiance(environmentFromWorld(L)) * (kPi / 3.0);
+    }
+  }
+  radiance += light * (surface.ambientOcclusion * view.environmentIntensity);
 #endif
   radiance *= surface.cavity;
 #ifdef EMISSIVE

@@ -1,6 +1,7 @@
 #version 450 core
 // The lobe of a model seen from the normal, over the angle of the light: what the prefiltered environment averages
-// with. x: angle, theta = pi/2 u^2 over the row; y: roughness. A model with a D has Karis' kernel D NoL (2013,
+// with. x: angle, theta = pi/2 u^2 over the row; y: roughness, and for models that use the tangent the azimuth, from
+// the tangent on through half a turn, all roughnesses for each. A model with a D has Karis' kernel D NoL (2013,
 // PrefilterEnvMap); one without, its own f NoL.
 #include "shaders/common/shading.glsl"
 #pragma glint model
@@ -8,24 +9,35 @@ layout(location = 0) flat in ivec2 inLights;
 layout(location = 0) out vec4 outColor;
 uniform float width;
 uniform float roughnesses[16];
+uniform int roughnessCount, azimuthCount;
+uniform bool plainNonmetal;
 uniform vec4 standardParameters;
+
+#ifdef COAT
+const bool useD = false;
+#else
+const bool useD = modelHasD;
+#endif
 
 void main() {
   float u = gl_FragCoord.x / width;
   float theta = 1.5707963267948966 * u * u;
   Shading s;
-  setRoughness(s, roughnesses[int(gl_FragCoord.y)]);
+  int row = int(gl_FragCoord.y);
+  float azimuth = kPi * float(row / roughnessCount) / float(azimuthCount);
+  setRoughness(s, roughnesses[row % roughnessCount]);
   s.baseColor = s.F0 = vec3(1.0);
   s.diffuseColor = vec3(0.0);
   s.metallic = 1.0;
   s.specular = 0.5;
   s.analyticLight = false;
+  s.plainNonmetal = plainNonmetal;
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
-  setDirections(s, vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), vec3(sin(theta), 0.0, cos(theta)));
+  setDirections(s, vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), vec3(sin(theta) * cos(azimuth), sin(theta) * sin(azimuth), cos(theta)));
   Parameters p = modelParameters(standardParameters);
   modelPrepare(s, p);
-  float kernel = (modelHasD ? modelD(s, p) : dot(modelSpecular(s, p), vec3(1.0 / 3.0))) * cos(theta);
+  float kernel = (useD ? modelD(s, p) : dot(modelLobe(s, p), vec3(1.0 / 3.0))) * cos(theta);
   // Less than nothing says that it was not finite.
   outColor = vec4(abs(kernel) < 1e30 ? max(kernel, 0.0) : -1.0);
 }

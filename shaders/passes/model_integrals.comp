@@ -6,7 +6,7 @@
 layout(local_size_x = 64) in;
 
 struct Query { vec4 values, slots, F0, diffuse; };  // values: roughness, NoV, 1 under a light and 0 under an environment
-struct Sums { vec4 specular, specularBlack, diffuse; };  // f NoL for the query's F0 and for 0, and for its diffuse; integrals of D in w
+struct Sums { vec4 specular, specularBlack, diffuse, scattered; };  // f NoL for the query's F0 and for 0, and for its diffuse; integrals of D in w; scattered over all directions
 layout(std430, binding = 0) readonly buffer Queries { Query queries[]; };
 // Polar nodes u from 0 to 1; sin and cos of the theta_h that stands at u for D; cosine of the light at sin^2 = u.
 layout(std430, binding = 1) readonly buffer PolarNodes { vec4 polar[]; };
@@ -41,10 +41,11 @@ void main() {
   s.metallic = 1.0;
   colors(s, query.F0.rgb, vec3(1.0));
   s.analyticLight = query.values.z != 0.0;
+  s.plainNonmetal = false;
   Parameters p = modelParameters(query.slots);
   modelPrepare(s, p);
 
-  Sums sums = Sums(vec4(0.0), vec4(0.0), vec4(0.0));
+  Sums sums = Sums(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int j = 0; j < around.length(); ++j) {
     vec4 azimuth = around[j];
     // The half vectors whose light is above the horizon end where cos(2 theta - delta) = 0: nodes over just these meet
@@ -86,6 +87,11 @@ void main() {
     vec4 azimuth = around[j];
     setLight(s, vec3(sqrt(node.x) * azimuth.x, sqrt(node.x) * azimuth.y, node.w));
     sums.diffuse.rgb += modelDiffuse(s, p) * azimuth.z;
+    if (modelScatters) {
+      float z = 2.0 * node.x - 1.0, r = sqrt(max(1.0 - z * z, 0.0));
+      setLight(s, vec3(r * azimuth.x, r * azimuth.y, z));
+      sums.scattered.rgb += modelScattered(s, p) * azimuth.z;
+    }
   }
   results[index] = sums;
 }

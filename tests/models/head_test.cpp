@@ -115,6 +115,38 @@ TEST(ModelHead, WhatIsMissing) {
 }
 
 // What would break the text around a plugin is told here, at its line, not by the compiler somewhere else.
+TEST(ModelHead, OptionalFunctionsAndTheirKeys) {
+  const std::string parameters = R"("parameters": [{"name": "r", "type": "float", "default": 0.1}, {"name": "c", "type": "color", "default": [1, 1, 1]}], )";
+  const std::string coat = "vec3 coat(Shading s, Parameters p) { return vec3(1.0); }\n";
+  const auto coated = parseModel("m.glsl", plugin(parameters + R"("coat": {"roughness": "r", "strength": "r"}, "tangentRotation": "r")", coat));
+  ASSERT_TRUE(coated) << coated.diagnostics()[0].text();
+  EXPECT_TRUE(coated->definesCoat && !coated->definesThroughCoat && coated->coatRoughness == "r" && coated->tangentRotation == "r");
+  EXPECT_THAT(faults(plugin("", coat)), AllOf(HasSubstr("m.glsl:2"), HasSubstr("the head does not tell of its coat")));
+  EXPECT_THAT(faults(plugin(parameters + R"("coat": {"roughness": "r", "strength": "r"})")), AllOf(HasSubstr("m.glsl:4"), HasSubstr("has no function")));
+  EXPECT_THAT(faults(plugin(parameters + R"("coat": {"roughness": "q", "strength": "c"})", coat)),
+              AllOf(HasSubstr("'roughness' names no parameter of type float"), HasSubstr("'strength' names no parameter of type float")));
+  EXPECT_THAT(faults(plugin(parameters + R"("tangentRotation": "c")")), HasSubstr("'tangentRotation' names no parameter"));
+  EXPECT_THAT(faults(plugin("", "void colors(Shading s) {}\n")), HasSubstr("write void colors(inout Shading s, Parameters p)"));
+}
+
+// What costs an attachment of the G-buffer is only there for models that read it.
+TEST(ModelHead, KnowsWhetherTheTangentIsRead) {
+  const auto uses = [](const std::string& text) {
+    const auto model = parseModel("m.glsl", text);
+    EXPECT_TRUE(model) << text;
+    return model && model->usesTangent;
+  };
+  const std::string own = R"(/*glint {"id": "m", "terms": {"V": "SmithGGX", "F": "Schlick"}} */
+)";
+  EXPECT_FALSE(uses(plugin("")));
+  EXPECT_TRUE(uses(own + "float D(Shading s, Parameters p) { return dot(s.T, s.H); }"));
+  EXPECT_TRUE(uses(own + "float mine(Shading a) { return a.B.x; }\nfloat D(Shading s, Parameters p) { return mine(s); }"));
+  EXPECT_TRUE(uses(own + "float D(Shading s, Parameters p) { return D_GGXaniso(s, 0.5); }"));
+  EXPECT_TRUE(uses(own + "#define ALONG dot(s.T, s.H)\nfloat D(Shading s, Parameters p) { return ALONG; }"));
+  EXPECT_FALSE(uses(own + "// s.T is not read\nfloat D(Shading s, Parameters p) { return D_GGX(s); }"));
+  EXPECT_TRUE(uses(R"(/*glint {"id": "m", "terms": {"D": "GGXaniso", "V": "SmithGGX", "F": "Schlick"}} */)"));
+}
+
 TEST(ModelHead, TextThatReachesOut) {
   EXPECT_THAT(faults(plugin("", "uniform float x;")), HasSubstr("m.glsl:5: 'uniform' is not for a plugin"));
   EXPECT_THAT(faults(plugin("", "\nlayout(binding = 0) buffer B { float x; };")), HasSubstr("m.glsl:6: 'layout'"));
