@@ -232,7 +232,8 @@ class Examination {
   }
 
   void environment(const ModelProbe& probe, const ModelIntegrals& integrals) {
-    const SplitSumError found = splitSumError(probe, integrals);
+    auto own = model_.definesEnvironment ? ModelProbe::ofEnvironment(model_) : Result<ModelProbe>(Diagnostics{});
+    const SplitSumError found = splitSumError(probe, integrals, own ? &*own : nullptr);
     LawResult& law = result(Law::Environment);
     law.value = found.rms;
     law.where = fmt::format("worst {:.3g} at roughness {:.3g}, NoV {:.3g}", found.worst, found.roughness, found.NoV);

@@ -149,6 +149,8 @@ Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {
   return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"});
 }
 
+Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofModel(model, {"vec4(modelEnvironment(s, p), 0.0)"}); }
+
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model) {
   return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
                          "vec4(modelF(s, p), 0.0)"});

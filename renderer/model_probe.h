@@ -45,6 +45,8 @@ class ModelProbe {
   // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own lines.
   static Result<ModelProbe> ofModel(const ShadingModel&);
   // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
+  // One output: what the model's own environment() reflects, for models that define it.
+  static Result<ModelProbe> ofEnvironment(const ShadingModel&);
   static Result<ModelProbe> ofModelParts(const ShadingModel&);
 
   // Of every point its outputs in order.

@@ -74,25 +74,35 @@ void addPoints(const glm::dvec3& view, float roughness, float F0, std::vector<Pr
 
 }  // namespace
 
-SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integrals) {
+SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integrals, const ModelProbe* environment) {
   constexpr float kRoughness[] = {0.15f, 0.3f, 0.6f, 0.9f}, kNoV[] = {0.15f, 0.4f, 0.8f}, kF0[] = {0.04f, 1.f};
   const size_t size = halfVectors().size();
   std::vector<ProbePoint> points;
   std::vector<Direction> directions;
   std::vector<IntegralQuery> queries;
+  std::vector<ProbePoint> reflections;
   for (const float roughness : kRoughness) {
     addPoints({0, 0, 1}, roughness, 1, points, directions);  // the lobe along the normal
     for (const float NoV : kNoV) {
       queries.push_back({roughness, NoV, false});
-      for (const float F0 : kF0) addPoints({std::sqrt(1 - NoV * NoV), 0, NoV}, roughness, F0, points, directions);
+      for (const float F0 : kF0) {
+        const glm::dvec3 view(std::sqrt(1 - NoV * NoV), 0, NoV);
+        addPoints(view, roughness, F0, points, directions);
+        ProbePoint p = ProbePoint::at({-view.x, 0, NoV}, view);
+        p.roughness = roughness;
+        p.F0 = glm::vec3(F0);
+        p.analyticLight = false;
+        reflections.push_back(p);
+      }
     }
   }
   const std::vector<glm::vec4> out = probe.evaluate(points);
   const std::vector<ModelIntegral> tables = integrals.evaluate(queries);
+  const std::vector<glm::vec4> own = environment ? environment->evaluate(reflections) : std::vector<glm::vec4>{};
 
   SplitSumError error;
   double squares = 0;
-  size_t block = 0, query = 0;
+  size_t block = 0, query = 0, reflection = 0;
   int count = 0;
   const auto specular = [&](size_t i) { return out[2 * i].g * directions[i].weight; };
   for (const float roughness : kRoughness) {
@@ -113,8 +123,10 @@ SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integ
         for (size_t i = block * size; i < (block + 1) * size; ++i) exact += specular(i) * radiance(directions[i].light);
         ++block;
         const double B = table.specularBlack.g, A = table.specular.g - B;
+        const double reflectance = own.empty() ? F0 * A + B : own[reflection].g;
+        ++reflection;
         if (exact < 1e-6 || total <= 0) continue;
-        const double relative = filtered / total * (F0 * A + B) / exact - 1;
+        const double relative = filtered / total * reflectance / exact - 1;
         squares += relative * relative;
         ++count;
         if (std::abs(relative) > std::abs(error.worst)) error = {0, relative, roughness, NoV};

@@ -11,7 +11,8 @@ struct SplitSumError {
   double rms = 0, worst = 0;           // relative, over roughness, NoV and F0 of 0.04 and 1
   float roughness = 0, NoV = 0;        // of the worst
 };
-// Both of the same model with the same parameters.
-SplitSumError splitSumError(const ModelProbe&, const ModelIntegrals&);
+// All of the same model with the same parameters. `environment` is ModelProbe::ofEnvironment() of a model that has one:
+// it then takes the place of the table.
+SplitSumError splitSumError(const ModelProbe&, const ModelIntegrals&, const ModelProbe* environment = nullptr);
 
 }  // namespace glint

@@ -33,5 +33,10 @@
 //   vec3  F(Shading s, Parameters p)          Fresnel
 //   vec3  diffuse(Shading s, Parameters p)    the diffuse part; Lambert when absent
 //   vec3  specular(Shading s, Parameters p)   the specular part, instead of D V F
+//   void  colors(inout Shading s, Parameters p)      F0 and diffuseColor, where they follow from other attributes
+//   vec3  coat(Shading s, Parameters p)              a second lobe with a roughness of its own ("coat" in the head)
+//   vec3  throughCoat(Shading s, Parameters p)       what a coat lets through
+//   vec3  environment(Shading s, Parameters p)       reflectance under an environment, instead of the derived table
+//   vec3  scattered(Shading s, Parameters p)         light that comes out from within, also from behind
 
 float D(Shading s, Parameters p) { return D_GTR(s, p.tail); }
