@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "materials/base/check.h"
 #include "renderer/model_integrals.h"
@@ -232,7 +233,9 @@ class Examination {
   }
 
   void environment(const ModelProbe& probe, const ModelIntegrals& integrals) {
-    auto own = model_.definesEnvironment ? ModelProbe::ofEnvironment(model_) : Result<ModelProbe>(Diagnostics{});
+    std::optional<ModelProbe> own;
+    if (model_.definesEnvironment)
+      if (auto made = ModelProbe::ofEnvironment(model_)) own = std::move(*made);
     const SplitSumError found = splitSumError(probe, integrals, own ? &*own : nullptr);
     LawResult& law = result(Law::Environment);
     law.value = found.rms;
