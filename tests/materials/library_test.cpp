@@ -59,13 +59,16 @@ TEST(ShippedNodes, EveryOneCompilesForEveryType) {
 TEST(Library, EveryMaterialCompilesWithoutAWord) {
   const auto names = libraryMaterialNames();
   EXPECT_GE(names.size(), 25u);
+  const ModelRegistry models;
   for (const std::string& name : names) {
     Diagnostics warnings;
     const auto material = loadMaterial(name, test::nodes(), &warnings);
     ASSERT_TRUE(material) << test::texts(material.diagnostics());
     EXPECT_EQ(material->name, name);
     EXPECT_FALSE(material->doc.empty()) << name;
-    const auto compiled = compileMaterial(*material, test::ggx(), test::nodes(), test::functions(), {}, &warnings);
+    const ModelPtr model = models.find(material->model);
+    ASSERT_TRUE(model) << name << " wants " << material->model;
+    const auto compiled = compileMaterial(*material, *model, test::nodes(), test::functions(), {}, &warnings);
     ASSERT_TRUE(compiled) << test::texts(compiled.diagnostics());
     EXPECT_EQ(test::texts(warnings), "") << name;
   }
