@@ -269,12 +269,12 @@ class Scanner {
   void checkArray(const Token& token) {
     if (array_) {
       if (token.text == "]") {
-        const auto size = array_->tokens == 1 ? wholeNumber(array_->last) : std::nullopt;
+        const long size = array_->tokens == 1 ? wholeNumber(array_->last).value_or(-1) : -1;
         const long most = array_->ofStructs ? kLargestArrayOfStructs : kLargestArray;
-        if (array_->tokens > 0 && !size)
+        if (array_->tokens > 0 && size < 0)
           fault(token.line, "the size of an array is no plain number", "write it out, or as a const int of its own");
-        else if (size && *size > most)
-          fault(token.line, fmt::format("an array of {}", *size), fmt::format("at most {} are possible{}", most, array_->ofStructs ? " of a struct, or in one" : ""));
+        else if (size > most)
+          fault(token.line, fmt::format("an array of {}", size), fmt::format("at most {} are possible{}", most, array_->ofStructs ? " of a struct, or in one" : ""));
         array_.reset();
       } else {
         ++array_->tokens;
