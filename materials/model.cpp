@@ -187,23 +187,27 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
                    fmt::format("at most {} are possible", kMostParameters));
   if (const Json* json = reader.object("terms")) readTerms(*json, file, model, problems);
   addTermParameters(model);
-  const auto readName = [&](ObjectReader& from, const Json& json, std::string_view key, bool required) {
+  // The name of one of the model's parameters, a float or, where that is allowed, a color.
+  const auto readName = [&](ObjectReader& from, const Json& json, std::string_view key, bool required, bool color) {
     const std::string name = from.text(key, required).value_or("");
     const ModelParameter* parameter = model.parameter(name);
-    if (name.empty() || (parameter && parameter->standard.type == ValueType::Float)) return name;
-    std::vector<std::string> floats;
+    const auto fits = [&](const ModelParameter& p) {
+      return p.standard.type == ValueType::Float || (color && p.standard.type == ValueType::Color);
+    };
+    if (name.empty() || (parameter && fits(*parameter))) return name;
+    std::vector<std::string> fitting;
     for (const ModelParameter& p : model.parameters)
-      if (p.standard.type == ValueType::Float) floats.push_back(p.name);
-    from.problem(*json.find(key), fmt::format("'{}' names no parameter of type float", key), suggestion(name, floats));
+      if (fits(p)) fitting.push_back(p.name);
+    from.problem(*json.find(key), fmt::format("'{}' names no parameter of type float{}", key, color ? " or color" : ""), suggestion(name, fitting));
     return name;
   };
   if (const Json* json = reader.object("coat")) {
     ObjectReader coat(*json, file, "coat", problems);
-    model.coatRoughness = readName(coat, *json, "roughness", true);
-    model.coatStrength = readName(coat, *json, "strength", true);
+    model.coatRoughness = readName(coat, *json, "roughness", true, false);
+    model.coatStrength = readName(coat, *json, "strength", true, true);
     coat.finish();
   }
-  model.tangentRotation = readName(reader, head, "tangentRotation", false);
+  model.tangentRotation = readName(reader, head, "tangentRotation", false, false);
   if (const Json* json = reader.object("claims")) {
     ObjectReader claims(*json, file, "claims", problems);
     model.claims.reciprocal = claims.boolean("reciprocal").value_or(false);

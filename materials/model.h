@@ -24,7 +24,8 @@
 //                                             metallic and specular as usual
 //   vec3  coat(Shading s, Parameters p)       f of a second lobe over the others, with a roughness of its own, which
 //                                             is the one in s; "coat" of the head names the parameters that are its
-//                                             roughness and its strength, by which Glint multiplies
+//                                             roughness (a float) and its strength (or a color), by which Glint
+//                                             multiplies
 //   vec3  throughCoat(Shading s, Parameters p)     what the coat lets through of all below it; 1 when absent
 //   vec3  environment(Shading s, Parameters p)     what the specular part reflects of an environment, from NoV, instead
 //                                             of the table that Glint derives
@@ -122,7 +123,7 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 //   vec3 modelLobe(Shading, Parameters)                 the specular part without its coat or, with COAT defined, the
 //                                                       coat of strength 1 for the roughness in Shading
 //   vec3 modelDiffuseBelow(Shading, Parameters)         the diffuse part without what a coat takes away
-//   vec3 modelThroughCoat(Shading, Parameters), float modelCoatRoughness(Parameters), modelCoatStrength(Parameters)
+//   vec3 modelThroughCoat(Shading, Parameters), float modelCoatRoughness(Parameters), vec3 modelCoatStrength(Parameters)
 //   vec3 modelEnvironment(Shading, Parameters)          0 unless modelHasEnvironment
 //   vec3 modelScattered(Shading, Parameters)            0 unless modelScatters
 //   const bool modelHasD, modelHasEnvironment, modelScatters

@@ -95,7 +95,7 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   if (model.definesCoat) {
     text += "#define MODEL_COAT\n";
     text += fmt::format("float modelCoatRoughness(Parameters p) {{ return p.{}; }}\n", model.coatRoughness);
-    text += fmt::format("float modelCoatStrength(Parameters p) {{ return p.{}; }}\n", model.coatStrength);
+    text += fmt::format("vec3 modelCoatStrength(Parameters p) {{ return vec3(p.{}); }}\n", model.coatStrength);
     vectorFunction("modelThroughCoat", model.definesThroughCoat ? "return throughCoat(s, p);" : "return vec3(1.0);");
     vectorFunction("modelSpecular", "\n  Shading c = s;\n  setRoughness(c, modelCoatRoughness(p));\n"
                                     "  return modelThroughCoat(s, p) * modelBase(s, p) + modelCoatStrength(p) * coat(c, p);\n");

@@ -16,7 +16,8 @@
       "doc": "How far the glow reaches from the outline inwards"
     }
   ],
-  "terms": {"diffuse": "Lambert"},
+  "coat": {"roughness": "sheenRoughness", "strength": "sheenColor"},
+  "terms": {"D": "GGX", "V": "SmithGGXCorrelated", "F": "Schlick", "diffuse": "Lambert"},
   "claims": {"reciprocal": true, "energyConserving": false},
   "uses": ["baseColor", "metallic", "specular", "roughness"],
   "cite": [
@@ -26,9 +27,5 @@
 }
 */
 
-vec3 specular(Shading s, Parameters p) {
-  vec3 below = (D_GGX(s) * V_SmithGGXCorrelated(s)) * F_Schlick(s);
-  // The fibres have a width of their own.
-  setRoughness(s, p.sheenRoughness);
-  return below + p.sheenColor * (D_Charlie(s) * V_CharlieFit(s));
-}
+// The fibres have a width of their own and take nothing from the surface below.
+vec3 coat(Shading s, Parameters p) { return vec3(D_Charlie(s) * V_CharlieFit(s)); }

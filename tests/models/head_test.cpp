@@ -123,8 +123,8 @@ TEST(ModelHead, OptionalFunctionsAndTheirKeys) {
   EXPECT_TRUE(coated->definesCoat && !coated->definesThroughCoat && coated->coatRoughness == "r" && coated->tangentRotation == "r");
   EXPECT_THAT(faults(plugin("", coat)), AllOf(HasSubstr("m.glsl:2"), HasSubstr("the head does not tell of its coat")));
   EXPECT_THAT(faults(plugin(parameters + R"("coat": {"roughness": "r", "strength": "r"})")), AllOf(HasSubstr("m.glsl:4"), HasSubstr("has no function")));
-  EXPECT_THAT(faults(plugin(parameters + R"("coat": {"roughness": "q", "strength": "c"})", coat)),
-              AllOf(HasSubstr("'roughness' names no parameter of type float"), HasSubstr("'strength' names no parameter of type float")));
+  EXPECT_THAT(faults(plugin(parameters + R"("coat": {"roughness": "q", "strength": "z"})", coat)),
+              AllOf(HasSubstr("'roughness' names no parameter of type float"), HasSubstr("'strength' names no parameter of type float or color")));
   EXPECT_THAT(faults(plugin(parameters + R"("tangentRotation": "c")")), HasSubstr("'tangentRotation' names no parameter"));
   EXPECT_THAT(faults(plugin("", "void colors(Shading s) {}\n")), HasSubstr("write void colors(inout Shading s, Parameters p)"));
 }

@@ -147,6 +147,15 @@ TEST_F(ModelFunctions, CoatHasItsOwnRoughnessUnderLightsAndEnvironments) {
   expectNear(color(scene), {0.125f, 0.5f, 0.25f}, 5e-3f);
 }
 
+TEST_F(ModelFunctions, ACoatMayHaveAColor) {
+  const ModelPtr coated = model(R"(, "coat": {"roughness": "r", "strength": "c"}, "parameters": [
+    {"name": "r", "type": "float", "default": 0.5}, {"name": "c", "type": "color", "default": [0.25, 0.5, 0.75]}])",
+                                "vec3 coat(Shading s, Parameters p) { return vec3(1.0) / kPi; }\n");
+  Scene scene = square(coated);
+  scene.environment = test::uniformEnvironment(1);
+  expectNear(color(scene), {0.25f, 0.5f, 0.75f}, 5e-3f);
+}
+
 TEST_F(ModelFunctions, ThroughTheCoatComesWhatItLets) {
   const ModelPtr coated = model(kCoat, "vec3 coat(Shading s, Parameters p) { return vec3(0.0); }\n"
                                        "vec3 throughCoat(Shading s, Parameters p) { return vec3(1.0 - p.coat, 1.0, 0.0); }\n"
