@@ -106,7 +106,7 @@ std::vector<Option> sceneOptionTable() {
       {"--exposure", "EV", "the picture is multiplied by 2^EV"},
       {"--tonemap", "NAME", "none (the default), aces, agx or pbr-neutral"},
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
-      {"--compensate", "", "multiple scattering (not in this version)"},
+      {"--compensate", "", "give back what bounces among facets more than once (Kulla and Conty 2017); off unless the model says otherwise"},
       {"--reference", "SPP", "ground truth by Monte Carlo (not in this version)"},
   };
 }
@@ -243,7 +243,7 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   if (given("tonemap")) keep(problems, parseTonemap(arguments.get("tonemap")), options.render.tonemap);
   options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);
-  if (given("compensate")) problems.push_back(error("--compensate", "multiple scattering is not in this version", "leave it out"));
+  options.render.compensate = given("compensate");
   if (given("reference")) problems.push_back(error("--reference", "the Monte Carlo reference is not in this version", "leave it out"));
   if (!problems.empty()) return problems;
   return options;

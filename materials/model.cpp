@@ -214,6 +214,7 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
     model.claims.energyConserving = claims.boolean("energyConserving").value_or(false);
     claims.finish();
   }
+  model.compensate = reader.boolean("compensate").value_or(false);
   model.cite = reader.texts("cite").value_or(std::vector<std::string>{});
   model.uses = reader.texts("uses").value_or(std::vector<std::string>{});
   for (const std::string& use : model.uses)
@@ -276,7 +277,8 @@ void checkNames(const GlslScan& scan, const GlslScan& library, const std::string
                                                      "modelBase", "modelLobe", "modelDiffuseBelow", "modelColors", "modelTurn",
                                                      "modelThroughCoat", "modelCoatRoughness", "modelCoatStrength",
                                                      "modelEnvironment", "modelHasEnvironment", "modelScattered",
-                                                     "modelScatters", "MODEL_COAT", "MODEL_TANGENT", "COAT"};
+                                                     "modelScatters", "modelSingleBounce", "modelWhite", "modelLobeWhite", "ProjectedAreas",
+                                                     "GlintBounces", "MODEL_COAT", "MODEL_TANGENT", "COAT"};
   for (const GlslName& name : scan.names)
     if (name.name.starts_with("glint") ||
         std::find(kOwn.begin(), kOwn.end(), name.name) != kOwn.end())
@@ -288,6 +290,31 @@ void checkNames(const GlslScan& scan, const GlslScan& library, const std::string
         problems.push_back(error(fmt::format("{}:{}", file, own.line),
                                  fmt::format("defines '{}' again", own.name),
                                  "Glint's terms have it: call that one, or choose another name"));
+}
+
+// Terms that are made for the model's own D, named in the head or called in its text.
+void checkOwnSmith(const GlslScan& scan, const std::string& file, const Json& head, ShadingModel& model, Diagnostics& problems) {
+  const std::string& V = model.termV.empty() ? model.termG : model.termV;
+  int line = 0;
+  std::string used;
+  for (const Term& term : terms()) {
+    if (!term.ofOwnD) continue;
+    if (term.name == V) {
+      const Json* named = head.find("terms");
+      line = named ? named->line : head.line;
+      used = term.function();
+    }
+    for (const GlslFunction& function : scan.functions)
+      for (const GlslCall& call : function.calls)
+        if (call.name == term.function() && call.arguments == 1) {
+          line = call.line;
+          used = term.function();
+        }
+  }
+  model.smithOfOwnD = !used.empty();
+  if (model.smithOfOwnD && !model.definesD && model.termD.empty())
+    problems.push_back(error(fmt::format("{}:{}", file, line), fmt::format("uses {} but has no D", used),
+                             "it is made from the model's own D: name one in \"terms\" or write float D(Shading s, Parameters p)"));
 }
 
 void checkBody(const GlslScan& scan, const std::string& file, int headLine, const Json& head, ShadingModel& model,
@@ -340,6 +367,7 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
   if (!model.definesDiffuse && model.termDiffuse.empty()) model.termDiffuse = "Lambert";
   model.usesTangent = reads(scan, library, model, {"T", "B"});
   model.usesPlainNonmetal = reads(scan, library, model, {"plainNonmetal"});
+  checkOwnSmith(scan, file, head, model, problems);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 //     "parameters": [{"name": "gamma", "type": "float", "min": 1, "max": 4, "default": 1.5, "doc": "..."}],
 //     "terms": {"D": "GGX", "V": "SmithGGXCorrelated", "F": "Schlick", "diffuse": "Lambert"},
 //     "claims": {"reciprocal": true, "energyConserving": true},
+//     "compensate": true,                    what bounces among its facets more than once is given back: off when absent
 //     "cite": ["Walter et al. 2007, eq. 33"] }
 //   */
 //
@@ -86,6 +87,9 @@ struct ShadingModel {
     // than it receives, from every direction. (Their sum may: Lambert is not coupled to the specular part.)
     bool energyConserving = false;
   } claims;
+  // Loses no light to bounces among its facets, also where that is not asked for (renderer/model_tables.h).
+  bool compensate = false;
+  bool smithOfOwnD = false;              // calls a term that is made for its own D, by name or in its text
   std::vector<std::string> cite;
   std::vector<std::string> uses;         // attributes it reads; all when empty
   std::filesystem::path file;            // as diagnostics name it
@@ -126,8 +130,12 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 //   vec3 modelThroughCoat(Shading, Parameters), float modelCoatRoughness(Parameters), vec3 modelCoatStrength(Parameters)
 //   vec3 modelEnvironment(Shading, Parameters)          0 unless modelHasEnvironment
 //   vec3 modelScattered(Shading, Parameters)            0 unless modelScatters
+//   vec3 modelWhite(Shading, Parameters)                f of the specular part for facets that reflect all: D V, or for a
+//                                                       model with a specular() or a coat that, when s.F0 is 1
+//   vec3 modelLobeWhite(Shading, Parameters)            the same of the lobe without its coat
 //   const bool modelHasD, modelHasEnvironment, modelScatters
-// and the macros MODEL_COAT and MODEL_TANGENT when it has a coat or uses the tangent.
+// and the macros MODEL_COAT and MODEL_TANGENT when it has a coat or uses the tangent. With COMPENSATE defined
+// modelSpecular() has the lobe of all further bounces in it (shaders/common/model_tables.glsl).
 // `uniform vec4 glintModelConstants[N]` holds the parameters without a slot, one vec4 each in
 // declaration order (N >= 1). `sourceIndex` is the source-string number that GLSL errors in the plugin's
 // own text will carry, and its lines count from kModelLineBase: Mesa honours the line of `#line` and drops the

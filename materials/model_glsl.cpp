@@ -1,9 +1,11 @@
 // What Glint writes around a plugin's text.
 #include <algorithm>
 
+#include "materials/base/check.h"
 #include "materials/glsl_scan.h"
 #include "materials/model.h"
 #include "materials/terms.h"
+#include "shaders/shipped_files.h"
 
 namespace glint {
 namespace {
@@ -37,6 +39,7 @@ std::string parametersGlsl(const ShadingModel& model) {
     members = "  float glintNone;\n";
     reads = "  p.glintNone = 0.0;\n";
   }
+  members += "#ifdef COMPENSATE\n  GlintBounces glintBounces;\n#endif\n";
   return fmt::format(
       "struct Parameters {{\n{}}};\n"
       "uniform vec4 glintModelConstants[{}];\n"
@@ -57,10 +60,23 @@ void entry(std::string& text, std::string_view type, std::string_view name, bool
   }
 }
 
+// The tables that Glint derives from the model, and the terms that are looked up in them.
+std::string tablesGlsl(const ShadingModel& model) {
+  constexpr const char* kFile = "shaders/common/model_tables.glsl";
+  const auto file = shipped::read(kFile);
+  GLINT_CHECK(file.has_value(), "{} is not among the shipped files", kFile);
+  std::string text = (model.smithOfOwnD ? "#define GLINT_SMITH_OF_OWN_D\n" : "") + *file;
+  if (model.smithOfOwnD)
+    for (const Term& term : terms())
+      if (term.ofOwnD)
+        text += fmt::format("float {0}(Shading s) {{ return {0}(s, glintProjectedAreas(s)); }}\n", term.function());
+  return text;
+}
+
 }  // namespace
 
 std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
-  std::string text = "// The terms of shaders/terms/.\n" + termsGlsl() + "// The model '" + model.id + "'.\n" +
+  std::string text = "// The terms of shaders/terms/.\n" + termsGlsl() + tablesGlsl(model) + "// The model '" + model.id + "'.\n" +
                      parametersGlsl(model);
   entry(text, "float", "D", model.definesD, TermKind::D, model.termD);
   // A G of the head is the V of that name: the library holds G / (4 NoL NoV) without its 0/0.
@@ -77,8 +93,9 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   text += model.source;
   text += fmt::format("\n\n#line 1 {}\n", sourceIndex + 1);
   for (const std::string& macro : scanGlsl(model.source).macros) text += "#undef " + macro + "\n";
-  text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{{}}}\n",
-                      model.definesPrepare ? " prepare(s, p); " : "");
+  text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{\n{}#ifdef COMPENSATE\n"
+                      "  p.glintBounces = glintBouncesTowards(s);\n#endif\n}}\n",
+                      model.definesPrepare ? "  prepare(s, p);\n" : "");
   text += fmt::format("const bool modelHasD = {};\n", model.hasD());
   text += fmt::format("float modelD(Shading s, Parameters p) {{ return {}; }}\n", model.hasD() ? "D(s, p)" : "0.0");
   text += fmt::format("float modelV(Shading s, Parameters p) {{ return {}; }}\n", model.hasV() ? "V(s, p)" : "0.0");
@@ -97,7 +114,7 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
     text += fmt::format("float modelCoatRoughness(Parameters p) {{ return p.{}; }}\n", model.coatRoughness);
     text += fmt::format("vec3 modelCoatStrength(Parameters p) {{ return vec3(p.{}); }}\n", model.coatStrength);
     vectorFunction("modelThroughCoat", model.definesThroughCoat ? "return throughCoat(s, p);" : "return vec3(1.0);");
-    vectorFunction("modelSpecular", "\n  Shading c = s;\n  setRoughness(c, modelCoatRoughness(p));\n"
+    vectorFunction("modelSingleBounce", "\n  Shading c = s;\n  setRoughness(c, modelCoatRoughness(p));\n"
                                     "  return modelThroughCoat(s, p) * modelBase(s, p) + modelCoatStrength(p) * coat(c, p);\n");
     vectorFunction("modelDiffuse", "return modelThroughCoat(s, p) * diffuse(s, p);");
     text += "#ifdef COAT\n";
@@ -106,9 +123,13 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
     vectorFunction("modelLobe", "return modelBase(s, p);");
     text += "#endif\n";
   } else {
-    for (const char* name : {"modelSpecular", "modelLobe"}) vectorFunction(name, "return modelBase(s, p);");
+    for (const char* name : {"modelSingleBounce", "modelLobe"}) vectorFunction(name, "return modelBase(s, p);");
     vectorFunction("modelDiffuse", "return diffuse(s, p);");
   }
+  vectorFunction("modelSpecular", "\n#ifdef COMPENSATE\n  return modelSingleBounce(s, p) + glintFurtherBounces(s, p.glintBounces);\n"
+                                  "#else\n  return modelSingleBounce(s, p);\n#endif\n");
+  vectorFunction("modelLobeWhite", model.definesSpecular ? "return modelLobe(s, p);" : "return vec3(D(s, p) * V(s, p));");
+  vectorFunction("modelWhite", model.definesSpecular || model.definesCoat ? "return modelSingleBounce(s, p);" : "return vec3(D(s, p) * V(s, p));");
   if (model.usesTangent) text += "#define MODEL_TANGENT\n";
   text += fmt::format("const bool modelHasEnvironment = {}, modelScatters = {};\n", model.definesEnvironment, model.definesScattered);
   vectorFunction("modelEnvironment", model.definesEnvironment ? "return environment(s, p);" : "return vec3(0.0);");

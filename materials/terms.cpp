@@ -45,13 +45,15 @@ std::optional<TermParameter> parameterLine(const std::string& line) {
 std::optional<Term> termOf(const GlslFunction& function, const KindRow& kind) {
   if (!function.name.starts_with(kind.prefix) || function.returnType != kind.type) return std::nullopt;
   if (function.parameterTypes.empty() || function.parameterTypes[0] != "Shading") return std::nullopt;
-  Term term{kind.kind, function.name.substr(kind.prefix.size()), "", {}};
+  Term term{kind.kind, function.name.substr(kind.prefix.size()), "", {}, false};
   std::vector<TermParameter> told;
   std::istringstream lines(function.comment);
   for (std::string line; std::getline(lines, line);) {
     if (auto parameter = parameterLine(line)) told.push_back(std::move(*parameter));
     else term.doc += (term.doc.empty() ? "" : "\n") + line;
   }
+  term.ofOwnD = function.takes({"Shading", "ProjectedAreas"});
+  if (term.ofOwnD) return term;
   for (size_t i = 1; i < function.parameterTypes.size(); ++i) {
     const auto at = std::find_if(told.begin(), told.end(),
                                  [&](const TermParameter& p) { return p.name == function.parameterNames[i]; });

@@ -2,7 +2,8 @@
 // `float D_Name(Shading s)`, `float V_Name(Shading s)`, `vec3 F_Name(Shading s)` or `vec3 Fd_Name(Shading s)`.
 // It may take floats of its own after that, each told in the comment above it:
 //   //   gamma from 0.5 to 6, 1.5: how long the tail is
-// A model that names such a term has them as parameters.
+// A model that names such a term has them as parameters. A V that takes `ProjectedAreas` after the Shading is made for
+// the model's own D: it has values with a D only.
 #pragma once
 
 #include <optional>
@@ -26,6 +27,7 @@ struct Term {
   std::string name;      // without the prefix: "SmithGGXCorrelated"
   std::string doc;       // the comment above the function, without its parameters' lines
   std::vector<TermParameter> parameters;
+  bool ofOwnD = false;   // takes the ProjectedAreas of the model's D
   std::string function() const { return std::string(prefix(kind)) + name; }
 };
 

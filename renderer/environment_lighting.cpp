@@ -51,7 +51,7 @@ int EnvironmentLighting::levelSamples(int level) {
 }
 
 EnvironmentLighting::EnvironmentLighting(ProgramCache& programs, bool diskCache)
-    : programs_(programs), diskCache_(diskCache), quad_(gl::createVertexArray()) {
+    : programs_(programs), diskCache_(diskCache), tables_(diskCache), quad_(gl::createVertexArray()) {
   const int32_t none[6] = {};
   quadInstance_ = gl::createBuffer(std::as_bytes(std::span(none)));
   const GLuint vao = quad_.id();
@@ -81,11 +81,17 @@ void EnvironmentLighting::drawFullTarget(const gl::Program& program, GLuint fram
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+void EnvironmentLighting::setProgress(Progress progress) {
+  tables_.setProgress(progress);
+  progress_ = std::move(progress);
+}
+
 void EnvironmentLighting::forgetUnused() {
   constexpr size_t kSpareMaps = 1, kSpareTables = 8;
   maps_.nextFrame(kSpareMaps);
   prefiltered_.nextFrame(kSpareTables);
   brdf_.nextFrame(kSpareTables);
+  tables_.forgetUnused();
 }
 
 const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environment) {
@@ -151,7 +157,7 @@ Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSet
   (*program)->set("width", static_cast<float>(kLobeWidth));
   (*program)->set("roughnessCount", kLevels);
   (*program)->set("azimuthCount", azimuths);
-  setting.apply(**program);
+  if (Diagnostics faults = tables_.apply(setting, **program); !faults.empty()) return faults;
   const gl::Texture target = gl::createTexture2D(GL_R32F, kLobeWidth, height);
   const GLuint color = target.id();
   const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
@@ -387,30 +393,30 @@ Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSett
     const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", definesOf(which),
                                                       {{"model", setting.shader->glsl}}});
     if (!program) return program.diagnostics();
-    drawBrdf(setting, **program, halfs);
+    if (Diagnostics faults = drawBrdf(setting, **program, halfs); !faults.empty()) return faults;
     if (diskCache_) writeCache("environment-brdf", key, halfs);
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
   }
   StoredBrdf made;
   made.colored = which == Lobe::Coat || !isGrey(halfs);
   int bad = 0;
-  std::vector<glm::vec3> grey;
+  std::vector<glm::vec4> grey;
   for (size_t i = 0; i < kTexels; ++i) {
     const glm::vec4 scale = texelOf(halfs, 0, i);
     bad += scale.a == 0;
-    grey.emplace_back(scale.g, texelOf(halfs, 1, i).g, texelOf(halfs, 2, i).g);
+    grey.emplace_back(scale.g, texelOf(halfs, 1, i).g, texelOf(halfs, 2, i).g, texelOf(halfs, 1, i).a);
   }
   if (bad) invalid_[tableKey(setting)].brdf = bad;
   made.texture = gl::createTexture2D(GL_RGBA16F, kBrdfSize, made.colored ? 3 * kBrdfSize : kBrdfSize);
   if (made.colored) glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, 3 * kBrdfSize, GL_RGBA, GL_HALF_FLOAT, halfs.data());
-  else glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGB, GL_FLOAT, grey.data());
+  else glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGBA, GL_FLOAT, grey.data());
   const StoredBrdf& kept = brdf_.put(key, std::move(made));
   return BrdfTable{kept.texture.id(), kept.colored};
 }
 
-void EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl::Program& program, std::string& halfs) {
+Diagnostics EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl::Program& program, std::string& halfs) {
   program.set2("size", kBrdfSize, kBrdfSize);
-  setting.apply(program);
+  if (Diagnostics faults = tables_.apply(setting, program); !faults.empty()) return faults;
   gl::Texture tables[3];
   GLuint colors[3];
   for (size_t i = 0; i < 3; ++i) {
@@ -421,6 +427,7 @@ void EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl::Progra
   drawFullTarget(program, framebuffer.id(), kBrdfSize, kBrdfSize);
   for (size_t i = 0; i < 3; ++i)
     glGetTextureImage(colors[i], 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(kTableBytes), halfs.data() + i * kTableBytes);
+  return {};
 }
 
 EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {

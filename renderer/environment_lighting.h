@@ -13,13 +13,13 @@
 
 #include "renderer/gl/objects.h"
 #include "renderer/model_setting.h"
+#include "renderer/model_tables.h"
 #include "renderer/program_cache.h"
+#include "renderer/progress.h"
 #include "renderer/recently_used.h"
 #include "renderer/scene.h"
 
 namespace glint {
-
-using Progress = std::function<void(const std::string& what, double fraction)>;
 
 // The specular part without a coat, or the coat (model.h).
 enum class Lobe { Base, Coat };
@@ -45,7 +45,9 @@ class EnvironmentLighting {
 
   EnvironmentLighting(ProgramCache&, bool diskCache);
 
-  void setProgress(Progress progress) { progress_ = std::move(progress); }
+  void setProgress(Progress);
+  // What programs look up of the models themselves.
+  ModelTables& tables() { return tables_; }
 
   // Between frames: keeps the maps and tables of the last one, and a few more to go back and forth between. Building
   // them again is only a matter of reading them from disk.
@@ -91,6 +93,7 @@ class EnvironmentLighting {
   ProgramCache& programs_;
   bool diskCache_;
   Progress progress_;
+  ModelTables tables_;
   gl::VertexArray quad_;
   gl::Buffer quadInstance_;
   RecentlyUsed<EnvironmentMaps> maps_;
@@ -98,7 +101,7 @@ class EnvironmentLighting {
     gl::Texture texture;
     bool colored = false;
   };
-  void drawBrdf(const ModelSetting&, const gl::Program&, std::string& halfs);
+  Diagnostics drawBrdf(const ModelSetting&, const gl::Program&, std::string& halfs);
   RecentlyUsed<gl::Texture> prefiltered_;
   RecentlyUsed<StoredBrdf> brdf_;
   std::unordered_map<uint64_t, Invalid> invalid_;  // by setting; only those that have any

@@ -245,6 +245,9 @@ struct Library {
 };
 
 Finish term(const Term& t, const EvaluationRequest& request, Batch& batch, bool asG) {
+  if (t.ofOwnD)
+    throw Fault{fmt::format("'{}' is made for the D of a model and has no value without it", request.what),
+                fmt::format("ask for f_GTR1_5*{}*None, or for exact_smith_G1 of a D", t.name)};
   static const std::map<TermKind, std::vector<std::string>> kNeeded = {{TermKind::D, {"NoH"}},
                                                                        {TermKind::V, {"NoL", "NoV"}},
                                                                        {TermKind::F, {"VoH"}},

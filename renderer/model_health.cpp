@@ -20,9 +20,9 @@ namespace {
 using std::numbers::pi;
 
 // Single precision and quadrature stay below these, see tests/models/numbers_test.cpp.
-constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03;
+constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03, kFurnace = 5e-3;
 constexpr float kMirrorRoughness = 0.1f;
-constexpr size_t kLaws = 8;
+constexpr size_t kLaws = 9;
 
 const std::vector<float> kFineRoughness = {0.05f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.35f, 0.4f, 0.45f, 0.5f,
                                            0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 1.f};
@@ -72,14 +72,14 @@ std::vector<ProbePoint> probePoints() {
 
 class Examination {
  public:
-  Examination(const ShadingModel& model, ModelHealth& card) : model_(model), card_(card) {
+  Examination(const ShadingModel& model, bool compensate, ModelHealth& card) : model_(model), compensate_(compensate), card_(card) {
     card_.laws.reserve(kLaws);  // results are referred to while others are added
   }
 
   void run() {
-    auto probe = ModelProbe::ofModel(model_);
+    auto probe = ModelProbe::ofModel(model_, compensate_);
     if (!probe) return fails(probe.diagnostics());
-    auto integrals = ModelIntegrals::of(model_);
+    auto integrals = ModelIntegrals::of(model_, {.compensate = compensate_});
     if (!integrals) return fails(integrals.diagnostics());
     result(Law::Compiles);
     hasD_ = model_.definesD || !model_.termD.empty();
@@ -87,7 +87,14 @@ class Examination {
     if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
     energy(*integrals, kFineRoughness, kFineNoV);
     mirror(*integrals);
-    environment(*probe, *integrals);
+    if (compensate_) {
+      // The split sum stands for the single bounce; further ones are lit by the irradiance.
+      const auto singleProbe = ModelProbe::ofModel(model_);
+      const auto singleIntegrals = ModelIntegrals::of(model_);
+      if (singleProbe && singleIntegrals) environment(*singleProbe, *singleIntegrals);
+    } else {
+      environment(*probe, *integrals);
+    }
     for (const ModelParameter& p : model_.parameters) {
       for (const float end : {p.minimum, p.maximum}) {
         Value value = p.standard;
@@ -182,10 +189,14 @@ class Examination {
       for (const float r : roughness)
         for (const float v : NoV) queries.push_back({r, v, light});
     const std::vector<ModelIntegral> sums = integrals.evaluate(queries);
+    // A specular part that does not follow F0 is never white. Where light grazes Fresnel hides it: the last query does not.
+    const ModelIntegral& facing = sums.back();
+    const bool followsF0 = facing.specular.g - facing.specularBlack.g > 0.05 * facing.specular.g;
     LawResult& law = result(Law::Energy);
     law.claimed = model_.claims.energyConserving;
     for (size_t i = 0; i < sums.size(); ++i) {
       if (hasD_) distribution(sums[i].distribution, queries[i]);
+      if (followsF0) furnace(sums[i], queries[i]);
       for (const auto& [part, albedo] : {std::pair{"specular", sums[i].specular}, {"diffuse", sums[i].diffuse}, {"scattered", sums[i].scattered}}) {
         const double most = std::max({albedo.r, albedo.g, albedo.b});
         if (!(most > law.value) || told(law)) continue;
@@ -198,6 +209,20 @@ class Examination {
         law.hint = law.claimed ? "drop the claim or mend the formula" : "";
       }
     }
+  }
+
+  // What a white surface keeps of light from all sides.
+  void furnace(const ModelIntegral& sum, const IntegralQuery& query) {
+    const double albedo = std::max({sum.specular.r, sum.specular.g, sum.specular.b});
+    LawResult& law = result(Law::Furnace);
+    law.claimed = model_.compensate;
+    if ((law.value != 0 && albedo >= law.value) || told(law)) return;
+    law.value = albedo;
+    law.where = at(query);
+    if (!compensate_ || albedo >= 1 - kFurnace) return;
+    law.verdict = law.claimed ? Verdict::Red : Verdict::Amber;
+    law.reason = fmt::format("a compensated white surface keeps only {:.4f} of uniform light", albedo);
+    law.hint = "compensation gives back what the albedo towards light and view lacks: both must be the same function";
   }
 
   void distribution(double integral, const IntegralQuery& query) {
@@ -243,6 +268,7 @@ class Examination {
   }
 
   const ShadingModel& model_;
+  bool compensate_;
   ModelHealth& card_;
   bool hasD_ = false;
   std::string setting_;  // ", gamma 4" while a parameter is not at its default
@@ -257,7 +283,7 @@ std::string_view name(Verdict verdict) {
 
 std::string_view name(Law law) {
   constexpr std::array<std::string_view, kLaws> kNames = {"compiles",      "finite", "non-negative", "reciprocity",
-                                                      "normalisation", "energy", "mirror limit", "environment"};
+                                                      "normalisation", "energy", "white furnace", "mirror limit", "environment"};
   return kNames[static_cast<size_t>(law)];
 }
 
@@ -280,10 +306,10 @@ const LawResult* ModelHealth::find(Law law) const {
   return nullptr;
 }
 
-ModelHealth checkHealth(const ShadingModel& model) {
+ModelHealth checkHealth(const ShadingModel& model, bool compensate) {
   const auto begin = std::chrono::steady_clock::now();
   ModelHealth card{.model = model.id, .file = model.file.string(), .laws = {}};
-  Examination(model, card).run();
+  Examination(model, compensate || model.compensate, card).run();
   card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return card;
 }

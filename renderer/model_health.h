@@ -22,6 +22,7 @@ enum class Law {
   Reciprocity,    // f(l, v) = f(v, l): `value` is the largest relative change by swapping
   Normalisation,  // of D: `value` is the worst integral of D NoH over the hemisphere, wanted 1
   Energy,         // `value` is the largest directional albedo of the specular or diffuse part, wanted <= 1
+  Furnace,        // `value` is the smallest directional albedo of a white specular part; wanted 1 where it is compensated
   MirrorLimit,    // `value` is the albedo of a smooth white mirror seen from above, wanted 1: finds lost factors
   Environment,    // `value` is the relative RMS error of the split sum against the integral it stands for
 };
@@ -46,7 +47,9 @@ struct ModelHealth {
   const LawResult* find(Law) const;
 };
 
-// Needs a current context. GLSL that does not compile is a red card, with the plugin's own lines in `where`.
-ModelHealth checkHealth(const ShadingModel&);
+// Needs a current context. GLSL that does not compile is a red card, with the plugin's own lines in `where`. With
+// `compensate` the model is measured with the lobe of further bounces (renderer/model_tables.h), as one whose head asks
+// for it always is.
+ModelHealth checkHealth(const ShadingModel&, bool compensate = false);
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/base/check.h"
 #include "renderer/quadrature.h"
 #include "renderer/shader_assembler.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kPolar = 128, kQuarter = 24, kGroup = 64;
+constexpr int kGroup = 64;
 constexpr size_t kQueriesAtOnce = 256;
 
 // Half vectors at theta = kSmallest (e^(k u) - 1), as dense for every width of a lobe; lights at sin^2(theta) = u. Around
@@ -22,27 +23,24 @@ struct Nodes {
   std::vector<double> specular, distribution, diffuse;        // weights of the polar nodes
 };
 
-Nodes makeNodes() {
+Nodes makeNodes(int polar, int quarter) {
   constexpr double kSmallest = 2e-4;
   const double k = std::log1p(0.5 * pi / kSmallest);
   Nodes nodes;
-  for (const QuadratureNode& node : gaussLegendre(kPolar)) {
+  for (const QuadratureNode& node : gaussLegendre(polar)) {
     const double theta = kSmallest * std::expm1(k * node.x);
     nodes.polar.emplace_back(node.x, std::sin(theta), std::cos(theta), std::sqrt(1 - node.x));
     nodes.specular.push_back(2 * pi * node.weight);
     nodes.distribution.push_back(2 * pi * std::sin(theta) * (theta + kSmallest) * k * node.weight);
     nodes.diffuse.push_back(pi * node.weight);
   }
-  for (int quarter = 0; quarter < 4; ++quarter)
-    for (const QuadratureNode& node : gaussLegendre(kQuarter)) {
-      const double phi = 0.5 * pi * (quarter + node.x);
-      nodes.around.emplace_back(std::cos(phi), std::sin(phi), 0.25 * node.weight, 0);
-    }
-  return nodes;
-}
-
-const Nodes& sharedNodes() {
-  static const Nodes nodes = makeNodes();
+  // Close together across the view's plane, where all changes within a grazing view's cosine.
+  for (const double side : {0.5 * pi, 1.5 * pi})
+    for (const double away : {-0.5 * pi, 0.5 * pi})
+      for (const QuadratureNode& node : gaussLegendre(quarter)) {
+        const double phi = side + away * node.x * node.x * node.x;
+        nodes.around.emplace_back(std::cos(phi), std::sin(phi), 0.75 * node.x * node.x * node.weight, 0);
+      }
   return nodes;
 }
 
@@ -50,36 +48,40 @@ struct DeviceQuery {
   glm::vec4 roughnessNoVLight, slots, F0, diffuse;
 };
 struct Sums {
-  glm::vec4 specular, specularBlack, diffuse, scattered;
+  glm::vec4 specular, specularBlack, white, diffuse, scattered;
 };
 
 }  // namespace
 
-Result<ModelIntegrals> ModelIntegrals::of(const ShadingModel& model) {
+Result<ModelIntegrals> ModelIntegrals::of(const ShadingModel& model, const IntegralOptions& options) {
+  return of(modelSetting(model), options);
+}
+
+Result<ModelIntegrals> ModelIntegrals::of(const ModelSetting& setting, const IntegralOptions& options) {
+  std::vector<std::string> defines;
+  if (options.compensate) defines.push_back("COMPENSATE");
+  if (options.specularOnly) defines.push_back("SPECULAR_ONLY");
+  const ShadingModel& model = *setting.shader->model;
   auto program = gl::buildProgram(
-      model.file.string(), {{GL_COMPUTE_SHADER, assembleShader({"shaders/passes/model_integrals.comp", {}, {{"model", modelGlsl(model, kModelSourceIndex)}}})}});
+      model.file.string(), {{GL_COMPUTE_SHADER, assembleShader({"shaders/passes/model_integrals.comp", defines, {{"model", setting.shader->glsl}}})}});
   if (!program) return modelErrors(model, program.diagnostics()[0].what);
   ModelIntegrals integrals;
-  integrals.model_ = model;
+  integrals.setting_ = setting;
+  integrals.options_ = options;
+  integrals.tables_ = std::make_unique<ModelTables>();
   integrals.program_ = std::move(*program);
-  for (const ModelParameter& p : model.parameters) integrals.set(p.name, p.standard);
+  if (Diagnostics faults = integrals.tables_->apply(setting, integrals.program_); !faults.empty()) return faults;
   return integrals;
 }
 
-void ModelIntegrals::set(const std::string& name, const Value& value) {
-  int constant = 0;
-  for (ModelParameter& p : model_.parameters) {
-    if (p.name == name) {
-      p.standard.v = value.v;
-      if (p.slot < 0) program_.set4(fmt::format("glintModelConstants[{}]", constant).c_str(), value.v.data());
-    }
-    constant += p.slot < 0;
-  }
-}
+void ModelIntegrals::set(const std::string& name, const Value& value) { setting_.set(name, value); }
 
 std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuery> queries) const {
-  const Nodes& nodes = sharedNodes();
-  const std::array<float, 4> slots = model_.standardSlots();
+  const Nodes nodes = makeNodes(options_.polar, options_.quarter);
+  const size_t polarCount = nodes.polar.size();
+  const std::array<float, 4>& slots = setting_.slots;
+  const Diagnostics faults = tables_->apply(setting_, program_);
+  GLINT_CHECK(faults.empty(), "{}", faults[0].text());
   const gl::Buffer polar = gl::createBuffer(std::as_bytes(std::span(nodes.polar)));
   const gl::Buffer around = gl::createBuffer(std::as_bytes(std::span(nodes.around)));
   std::vector<ModelIntegral> integrals(queries.size());
@@ -92,7 +94,7 @@ std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuer
                         {slots[0], slots[1], slots[2], slots[3]},
                         {q.F0, 0},
                         {q.diffuseColor, 0}});
-    std::vector<Sums> sums(batch.size() * kPolar);
+    std::vector<Sums> sums(batch.size() * polarCount);
     const gl::Buffer in = gl::createBuffer(std::as_bytes(std::span(packed)));
     const gl::Buffer out = gl::createBuffer(std::as_bytes(std::span(sums)));
     program_.set("count", static_cast<int>(sums.size()));
@@ -104,10 +106,11 @@ std::vector<ModelIntegral> ModelIntegrals::evaluate(std::span<const IntegralQuer
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(sums.size() * sizeof(Sums)), sums.data());
     for (size_t i = 0; i < sums.size(); ++i) {
-      ModelIntegral& integral = integrals[begin + i / kPolar];
-      const size_t node = i % kPolar;
+      ModelIntegral& integral = integrals[begin + i / polarCount];
+      const size_t node = i % polarCount;
       integral.specular += nodes.specular[node] * glm::dvec3(sums[i].specular);
       integral.specularBlack += nodes.specular[node] * glm::dvec3(sums[i].specularBlack);
+      integral.white += nodes.specular[node] * glm::dvec3(sums[i].white);
       integral.diffuse += nodes.diffuse[node] * glm::dvec3(sums[i].diffuse);
       integral.scattered += 4 * nodes.diffuse[node] * glm::dvec3(sums[i].scattered);
       integral.distribution += nodes.distribution[node] * sums[i].specular.w;

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "materials/model.h"
-#include "renderer/gl/objects.h"
+#include "renderer/model_setting.h"
+#include "renderer/model_tables.h"
 
 namespace glint {
 
@@ -23,20 +23,29 @@ struct IntegralQuery {
 struct ModelIntegral {
   glm::dvec3 specular{};       // directional albedo of the specular part for the query's F0: of f NoL
   glm::dvec3 specularBlack{};  // and for F0 = 0: the B of the environment BRDF; A is the rest for F0 1 (Karis 2013, eq. 8)
+  glm::dvec3 white{};          // and of facets that reflect all: modelWhite() of model.h
   glm::dvec3 diffuse{};        // directional albedo of the diffuse part
   glm::dvec3 scattered{};      // of the scattered light, over light from all around
   double distribution = 0;     // of D NoH: 1 for a distribution of normals
   double projected = 0;        // of D max(VoH, 0): the area that Smith's masking brings back to NoV (Heitz 2014, eq. 14)
 };
 
+struct IntegralOptions {
+  bool compensate = false;     // with the lobe of further bounces (renderer/model_tables.h)
+  bool specularOnly = false;   // leaves `diffuse`, `distribution` and `projected` at 0
+  int polar = 128, quarter = 24;  // nodes from the normal to the horizon, and in a quarter around it
+};
+
 class ModelIntegrals {
  public:
   // Errors: GLSL that does not compile, at the plugin's own lines.
-  static Result<ModelIntegrals> of(const ShadingModel&);
+  static Result<ModelIntegrals> of(const ShadingModel&, const IntegralOptions& = {});
+  static Result<ModelIntegrals> of(const ModelSetting&, const IntegralOptions& = {});
 
   // A parameter of the model, which has its default until then.
   void set(const std::string& parameter, const Value&);
 
+  // Errors of tables that the model's terms look into are reported by of().
   // Good to about 1e-3 of each value from roughness 0.05 up, for lobes of any width around the half vector.
   std::vector<ModelIntegral> evaluate(std::span<const IntegralQuery>) const;
 
@@ -46,7 +55,9 @@ class ModelIntegrals {
 
  private:
   ModelIntegrals() = default;
-  ShadingModel model_;
+  ModelSetting setting_;
+  std::unique_ptr<ModelTables> tables_;
+  IntegralOptions options_;
   gl::Program program_;
 };
 

@@ -23,7 +23,7 @@ struct Point { vec4 cosines, more, F0, diffuse, base, light, view, a, b; };
 layout(std430, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, binding = 1) writeonly buffer Values { vec4 values[]; };
 uniform int pointCount;
-uniform vec4 slots;
+uniform vec4 standardParameters;
 
 Shading shadingAt(Point p) {
   Shading s;
@@ -50,23 +50,12 @@ Shading shadingAt(Point p) {
 }
 )";
 
-// Of a model, between the point and the outputs.
-constexpr const char* kPrepareGlsl = R"(
-  Parameters p = modelParameters(slots);
-  if (points[i].base.w != 0.0) {
-    setColors(s, s.baseColor, s.metallic, s.specular);
-    modelColors(s, p);
-  }
-  modelTurn(s, p);
-  modelPrepare(s, p);
-)";
-
 GpuPoint pack(const ProbePoint& p) {
   return {{p.NoL, p.NoV, p.NoH, p.VoH},
           {p.LoV, p.sinH2, p.roughness, p.analyticLight ? 1.f : 0.f},
           {p.F0, p.metallic},
           {p.diffuseColor, p.specular},
-          {p.baseColor, p.fromAttributes ? 1.f : 0.f},
+          {p.baseColor, 0.f},
           {p.light, static_cast<float>(p.choice)},
           {p.view, p.fromDirections ? 1.f : 0.f},
           p.a,
@@ -114,7 +103,7 @@ Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string&
                        glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
                        "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
                        "  vec4 a = points[i].a, b = points[i].b;\n" +
-                       (glsl.find("modelParameters") != glsl.npos ? kPrepareGlsl : "");
+                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(standardParameters);\n  modelTurn(s, p);\n  modelPrepare(s, p);\n" : "");
   for (size_t k = 0; k < outputs.size(); ++k)
     source += fmt::format("  values[i * {}u + {}u] = {};\n", outputs.size(), k, outputs[k]);
   source += "}\n";
@@ -132,6 +121,7 @@ Result<ModelProbe> ModelProbe::ofTerms(std::span<const Term> terms) {
     const bool colour = term.kind == TermKind::F || term.kind == TermKind::Diffuse;
     std::string arguments = "s";
     GLINT_CHECK(term.parameters.size() <= 4, "{} has {} parameters", term.function(), term.parameters.size());
+    if (term.ofOwnD) arguments += ", ProjectedAreas(a.x, a.y)";
     for (size_t i = 0; i < term.parameters.size(); ++i) arguments += std::string(", a.") + "xyzw"[i];
     outputs.push_back(fmt::format("vec4({}({}), {})", term.function(), arguments, colour ? "0.0" : "0.0, 0.0, 0.0"));
   }
@@ -156,38 +146,34 @@ vec4 chosen(int choice, Shading s, vec4 a, vec4 b) {
   return build("expressions", glsl + "  return vec4(0.0);\n}\n", {"chosen(int(points[i].light.w), s, a, b)"});
 }
 
-Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model) {
-  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"});
+Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, bool compensate) {
+  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"}, compensate);
 }
 
-Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofModel(model, {"vec4(modelEnvironment(s, p), 0.0)"}); }
+Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofModel(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
 
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model) {
   return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
-                         "vec4(modelF(s, p), 0.0)"});
+                         "vec4(modelF(s, p), 0.0)"}, false);
 }
 
-Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vector<std::string>& outputs) {
-  auto probe = build(model.file.string(), modelGlsl(model, kModelSourceIndex), outputs);
+Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vector<std::string>& outputs, bool compensate) {
+  ModelSetting setting = modelSetting(model);
+  auto probe = build(model.file.string(), (compensate ? "#define COMPENSATE\n" : "") + setting.shader->glsl, outputs);
   if (!probe) return modelErrors(model, probe.diagnostics()[0].what);
-  probe->model_ = model;
-  for (const ModelParameter& p : model.parameters) probe->set(p.name, p.standard);
+  probe->setting_ = std::move(setting);
+  probe->tables_ = std::make_unique<ModelTables>();
+  if (Diagnostics faults = probe->tables_->apply(probe->setting_, probe->program_); !faults.empty()) return faults;
   return probe;
 }
 
-void ModelProbe::set(const std::string& name, const Value& value) {
-  int constant = 0;
-  for (ModelParameter& p : model_.parameters) {
-    if (p.name == name) {
-      p.standard.v = value.v;
-      if (p.slot < 0) program_.set4(fmt::format("glintModelConstants[{}]", constant).c_str(), value.v.data());
-    }
-    constant += p.slot < 0;
-  }
-  program_.set4("slots", model_.standardSlots().data());
-}
+void ModelProbe::set(const std::string& name, const Value& value) { setting_.set(name, value); }
 
 std::vector<glm::vec4> ModelProbe::evaluate(std::span<const ProbePoint> points) const {
+  if (tables_) {
+    const Diagnostics faults = tables_->apply(setting_, program_);
+    GLINT_CHECK(faults.empty(), "{}", faults[0].text());
+  }
   std::vector<glm::vec4> values;
   values.reserve(points.size() * static_cast<size_t>(outputs_));
   for (size_t begin = 0; begin < points.size(); begin += kBatch) {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/model.h"
 #include "materials/terms.h"
-#include "renderer/gl/objects.h"
+#include "renderer/model_setting.h"
+#include "renderer/model_tables.h"
 
 namespace glint {
 
@@ -27,9 +27,6 @@ struct ProbePoint {
   // The cosines come from `light` and `view` as in a picture (setDirections of shading.glsl) instead of from
   // the members above.
   bool fromDirections = false;
-  // F0 and diffuseColor come from baseColor, metallic and specular, by the model's own rule where it has one, instead of
-  // from the members above.
-  bool fromAttributes = false;
 
   // All cosines from two unit vectors, in double precision.
   static ProbePoint at(glm::dvec3 light, glm::dvec3 view);
@@ -39,14 +36,16 @@ struct ProbePoint {
 
 class ModelProbe {
  public:
-  // One output a term: (value, 0, 0, 0) or (r, g, b, 0). A term's own parameters are the point's `a`, in order. Errors:
-  // GLSL that does not compile.
+  // One output a term: (value, 0, 0, 0) or (r, g, b, 0). A term's own parameters are the point's `a`, in order; one that
+  // is made for the model's own D takes the projected areas towards light and view there. Errors: GLSL that does not
+  // compile.
   static Result<ModelProbe> ofTerms(std::span<const Term>);
   // Expressions are GLSL of type vec4 from `Shading s` and `vec4 a, b` of the point, with all terms at hand. One output:
   // the expression that the point chooses.
   static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
   // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own lines.
-  static Result<ModelProbe> ofModel(const ShadingModel&);
+  // With `compensate` the specular f has the lobe of further bounces in it (renderer/model_tables.h).
+  static Result<ModelProbe> ofModel(const ShadingModel&, bool compensate = false);
   // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
   // One output: what the model's own environment() reflects, for models that define it.
   static Result<ModelProbe> ofEnvironment(const ShadingModel&);
@@ -61,12 +60,12 @@ class ModelProbe {
 
  private:
   ModelProbe() = default;
-  static Result<ModelProbe> build(const std::string& name, const std::string& glsl,
-                                  const std::vector<std::string>& outputs);
-  static Result<ModelProbe> ofModel(const ShadingModel&, const std::vector<std::string>& outputs);
+  static Result<ModelProbe> build(const std::string& name, const std::string& glsl, const std::vector<std::string>& outputs);
+  static Result<ModelProbe> ofModel(const ShadingModel&, const std::vector<std::string>& outputs, bool compensate);
   gl::Program program_;
   int outputs_ = 0;
-  ShadingModel model_;
+  std::unique_ptr<ModelTables> tables_;      // of a model
+  ModelSetting setting_;
 };
 
 }  // namespace glint

@@ -11,18 +11,29 @@ ModelSetting modelSetting(std::shared_ptr<const ModelShader> shader, const std::
   ModelSetting setting;
   setting.plainNonmetal = plainNonmetal && shader->model->usesPlainNonmetal;
   const auto& parameters = shader->model->parameters;
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    const Value& value = i < values.size() ? values[i] : parameters[i].standard;
-    if (parameters[i].slot < 0) {
-      setting.constants.emplace_back(value.v[0], value.v[1], value.v[2], value.v[3]);
-    } else {
-      for (int c = 0; c < componentCount(value.type) && parameters[i].slot + c < 4; ++c)
-        setting.slots[static_cast<size_t>(parameters[i].slot + c)] = value.v[static_cast<size_t>(c)];
-    }
-  }
+  for (const ModelParameter& p : parameters)
+    if (p.slot < 0) setting.constants.emplace_back(0.0f);
   if (setting.constants.empty()) setting.constants.emplace_back(0.0f);
   setting.shader = std::move(shader);
+  for (size_t i = 0; i < parameters.size(); ++i) setting.set(parameters[i].name, i < values.size() ? values[i] : parameters[i].standard);
   return setting;
+}
+
+ModelSetting modelSetting(const ShadingModel& model) {
+  return modelSetting(std::make_shared<ModelShader>(std::make_shared<const ShadingModel>(model)), {});
+}
+
+void ModelSetting::set(const std::string& name, const Value& value) {
+  size_t constant = 0;
+  for (const ModelParameter& p : shader->model->parameters) {
+    if (p.name == name) {
+      if (p.slot < 0) constants[constant] = {value.v[0], value.v[1], value.v[2], value.v[3]};
+      for (int c = 0; p.slot >= 0 && c < componentCount(p.standard.type) && p.slot + c < 4; ++c)
+        slots[static_cast<size_t>(p.slot + c)] = value.v[static_cast<size_t>(c)];
+      return;
+    }
+    constant += p.slot < 0;
+  }
 }
 
 uint64_t ModelSetting::key() const {

@@ -28,11 +28,15 @@ struct ModelSetting {
   bool plainNonmetal = false;            // Shading::plainNonmetal, for models that read it
 
   uint64_t key() const;                  // of the text and the values
-  // Sets standardParameters, glintModelConstants and plainNonmetal. Who draws calls ModelTables::apply() instead, which binds what was
-  // derived from the model too.
+  // Another value for a parameter; nothing when the model has none of that name.
+  void set(const std::string& parameter, const Value&);
+  // Sets standardParameters, glintModelConstants and plainNonmetal. Who draws calls ModelTables::apply() instead, which
+  // binds what was derived from the model too.
   void apply(const gl::Program&) const;
 };
 // `values` are in the order of the model's parameters; those missing are at their defaults.
 ModelSetting modelSetting(std::shared_ptr<const ModelShader>, const std::vector<Value>& values, bool plainNonmetal = false);
+// With all parameters at their defaults.
+ModelSetting modelSetting(const ShadingModel&);
 
 }  // namespace glint

@@ -77,6 +77,7 @@ struct LightGroup {
   ModelSetting setting;
   size_t tileLights = 0, tiles = 0;     // offsets in the frame buffer
   size_t tileLightCount = 0, tileCount = 0;
+  bool compensate = false;
   bool broken = false;                  // no version of the plugin ever compiled
   uint64_t key = 0;
 };
@@ -182,7 +183,7 @@ struct Renderer::State {
     for (const View& view : views) {
       ReadyView r;
       for (const SurfaceMaterial& material : view.scene->materials) {
-        r.groupOfMaterial.push_back(groupOf(material, r.groups));
+        r.groupOfMaterial.push_back(groupOf(material, settings.compensate, r.groups));
         r.materialBlocks.push_back(frame.append(material.block));
       }
       r.view = prepareView(view, meshes, r.groupOfMaterial, r.groups.size(), std::exp2(settings.exposure),
@@ -212,12 +213,13 @@ struct Renderer::State {
     frame.upload();
   }
 
-  int groupOf(const SurfaceMaterial& material, std::vector<LightGroup>& groups) {
+  int groupOf(const SurfaceMaterial& material, bool compensate, std::vector<LightGroup>& groups) {
     LightGroup group;
     const auto sound = soundShaderOf(material.model);
     group.broken = !sound;
     group.setting = modelSetting(sound ? sound : shaderOf(material.model), material.modelParameters, material.compiled->plainNonmetal);
-    group.key = group.setting.key();
+    group.compensate = compensate || group.setting.shader->model->compensate;
+    group.key = group.setting.key() ^ (group.compensate ? 1 : 0);
     for (size_t i = 0; i < groups.size(); ++i)
       if (groups[i].key == group.key) return static_cast<int>(i);
     if (groups.size() == kMostGroups) {
@@ -361,6 +363,7 @@ struct Renderer::State {
         if (!r.view.points.empty()) defines.push_back("POINT_LIGHTS");
         if (optional.emissive) defines.push_back("EMISSIVE");
         if (optional.parameters) defines.push_back("READS_PARAMETERS");
+        if (group.compensate) defines.push_back("COMPENSATE");
         GLuint cube = 0, irradiance = 0, coatCube = 0;
         EnvironmentLighting::BrdfTable table, coatTable;
         const bool coated = environment && group.setting.shader->model->definesCoat;
@@ -411,7 +414,8 @@ struct Renderer::State {
           if (usesTangent)
             glProgramUniform2fv(program.id(), program.location("lobeStretch"), static_cast<GLsizei>(stretch.size()), &stretch[0].x);
         }
-        group.setting.apply(program);
+        const Diagnostics faults = lighting.tables().apply(group.setting, program);
+        GLINT_CHECK(faults.empty(), "a sound shader has tables");
         glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);
         drawRectangles(program, group);
       }

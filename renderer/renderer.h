@@ -33,6 +33,8 @@ struct RenderSettings {
   Tonemap tonemap = Tonemap::None;
   Background background = Background::Environment;
   glm::vec3 backgroundColor{0};                // linear
+  // What bounces among facets more than once is given back (renderer/model_tables.h), also by models that do not ask for it.
+  bool compensate = false;
   int samples = 1;                             // jittered frames averaged, >= 1
 };
 

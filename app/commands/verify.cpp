@@ -72,6 +72,7 @@ std::string measured(const LawResult& law) {
     case Law::Reciprocity: return fmt::format("swapping light and view changes f by at most {:.2g} %", 100 * law.value);
     case Law::Normalisation: return fmt::format("D integrates to {:.4f}", law.value);
     case Law::Energy: return fmt::format("reflects at most {:.4f} of what it receives", law.value);
+    case Law::Furnace: return fmt::format("white, it keeps at least {:.4f} of uniform light", law.value);
     case Law::MirrorLimit: return fmt::format("a smooth white mirror reflects {:.4f}", law.value);
     case Law::Environment: return fmt::format("split sum is {:.1f} % off (RMS)", 100 * law.value);
   }
@@ -106,7 +107,7 @@ int run(const Arguments& arguments) {
   }
   for (const std::string& what : wanted) {
     const auto model = find(what, registry);
-    if (model) cards.push_back(checkHealth(**model));
+    if (model) cards.push_back(checkHealth(**model, arguments.has("compensate")));
     else if (what.ends_with(".glsl") && fs::exists(what)) cards.push_back(unreadable(what, model.diagnostics()));
     else unknown.insert(unknown.end(), model.diagnostics().begin(), model.diagnostics().end());
   }
@@ -129,8 +130,9 @@ extern const Command kVerifyCommand;
 const Command kVerifyCommand = {
     .name = "verify",
     .summary = "The health card of models: finite, reciprocal, normalised, energy; exit 1 when a claim is broken",
-    .options = {{"models", "ID or FILE", "models by id, mixes such as 'GGX*SmithGGX*Schlick', or files; all there are when left out", true}},
-    .examples = {"glint verify", "glint verify burley ggx", "glint verify 'Blinn*SmithBeckmann*Schlick'", "glint verify my-model.glsl --json"},
+    .options = {{"models", "ID or FILE", "models by id, mixes such as 'GGX*SmithGGX*Schlick', or files; all there are when left out", true},
+                {"--compensate", "", "with what bounces among facets more than once given back, as models whose head asks for it always are"}},
+    .examples = {"glint verify", "glint verify --compensate ggx", "glint verify burley ggx", "glint verify 'Blinn*SmithBeckmann*Schlick'", "glint verify my-model.glsl --json"},
     .run = run,
 };
 

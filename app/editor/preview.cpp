@@ -149,7 +149,7 @@ bool Preview::sameSettings(const Preview& o) const {
   const auto key = [](const Preview& p) {
     return std::tie(p.subject, p.models, p.columns, p.materials, p.sweepName, p.sweepFrom, p.sweepTo, p.sweepCount,
                     p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
-                    p.exposure, p.tonemap, p.background);
+                    p.exposure, p.tonemap, p.background, p.compensate);
   };
   return key(*this) == key(o) && backgroundColor == o.backgroundColor && sameLights(lights, o.lights);
 }
@@ -190,6 +190,7 @@ Json previewJson(const Preview& p) {
   json.set("tonemap", Json::of(std::string(name(p.tonemap))));
   json.set("background", Json::of(std::string(name(p.background))));
   json.set("backgroundColor", vec(p.backgroundColor));
+  json.set("compensate", Json::of(p.compensate));
   json.set("orbit", orbitJson(p.orbit));
   json.set("comparisonOrbit", orbitJson(p.comparisonOrbit));
   return json;
@@ -237,6 +238,7 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   reader.read("tonemap", p.tonemap, kTonemaps);
   reader.read("background", p.background, kBackgrounds);
   reader.read("backgroundColor", p.backgroundColor);
+  reader.read("compensate", p.compensate);
   readOrbit(json, "orbit", p.orbit, place, warnings);
   readOrbit(json, "comparisonOrbit", p.comparisonOrbit, place, warnings);
   return p;

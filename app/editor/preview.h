@@ -53,6 +53,7 @@ struct Preview {
   Tonemap tonemap = Tonemap::None;
   Background background = Background::Color;
   glm::vec3 backgroundColor{0.02f};     // linear
+  bool compensate = false;              // as RenderSettings
 
   // Not a step of undo: looking around changes nothing.
   Orbit orbit;

@@ -153,6 +153,11 @@ class ScenePanel final : public Panel {
       p.tonemap = kTonemaps[std::clamp(index, 0, 3)];
       return changed;
     });
+    property("All bounces", "Gives back the light that bounces among a rough surface\u2019s facets more than once, for every model; a plugin can ask for it itself",
+             editor, [&](Preview& p, bool reset) {
+               if (reset) p.compensate = false;
+               return ui::checkbox("All bounces", p.compensate);
+             });
     static constexpr Background kBackgrounds[] = {Background::Environment, Background::Blur, Background::None, Background::Color};
     property("Background", "What is seen behind", editor, [&](Preview& p, bool reset) {
       if (reset) p.background = Preview{}.background;

@@ -6,7 +6,7 @@
 #pragma glint model
 layout(location = 0) flat in ivec2 inLights;
 layout(location = 0) out vec4 outScale;    // on F0
-layout(location = 1) out vec4 outBias;
+layout(location = 1) out vec4 outBias;     // w: the largest albedo of facets that reflect all
 layout(location = 2) out vec4 outDiffuse;  // albedo of the diffuse part for diffuseColor 1
 uniform vec2 size;
 uniform vec4 standardParameters;
@@ -38,7 +38,7 @@ void main() {
   if (kFrames > 1) turnTangent(s, 0.5 * kPi / float(kFrames));
   Parameters p = modelParameters(standardParameters);
 
-  vec3 at004 = vec3(0.0), at1 = vec3(0.0);
+  vec3 at004 = vec3(0.0), at1 = vec3(0.0), white = vec3(0.0);
   for (int n = 0; n < kFrames * kPsi; ++n) {
     int i = n % kPsi;
     if (i == 0) {
@@ -68,6 +68,7 @@ void main() {
         at004 += modelLobe(s, p) * weight;
         s.F0 = vec3(1.0);
         at1 += modelLobe(s, p) * weight;
+        white += modelLobeWhite(s, p) * weight;
       }
     }
   }
@@ -85,8 +86,8 @@ void main() {
     }
   vec3 scale = (at1 - at004) / 0.96, bias = at004 - 0.04 * scale;
   // One sum: compilers make a maximum of several comparisons, and a maximum forgets NaN.
-  bool sound = dot(abs(scale) + abs(bias) + abs(diffuseAlbedo), vec3(1.0)) < 1e4;
+  bool sound = dot(abs(scale) + abs(bias) + abs(white) + abs(diffuseAlbedo), vec3(1.0)) < 1e4;
   outScale = sound ? vec4(scale, 1.0) : vec4(0.0);
-  outBias = sound ? vec4(bias, 1.0) : vec4(0.0);
+  outBias = sound ? vec4(bias, max(white.r, max(white.g, white.b))) : vec4(0.0, 0.0, 0.0, 1.0);
   outDiffuse = sound ? vec4(diffuseAlbedo, 1.0) : vec4(0.0);
 }

@@ -39,19 +39,21 @@ vec3 diffuseIrradiance(vec3 n) {
 
 // Scale on F0 and bias of the specular part, albedo of the diffuse part over Lambert's. Models without colours of their
 // own have the three in one texel; COLORED_BRDF has a table for each, one above the other.
-struct EnvironmentBrdf { vec3 scale, bias, diffuse; };
+// And the largest albedo of facets that reflect all.
+struct EnvironmentBrdf { vec3 scale, bias, diffuse; float white; };
 const float kBrdfSize = 64.0;  // EnvironmentLighting::kBrdfSize: the outermost texels stand on 0 and 1
 EnvironmentBrdf coloredBrdfAt(sampler2D table, float NoV, float roughness) {
   vec2 texel = vec2(NoV, roughness) * (kBrdfSize - 1.0) + 0.5, size = vec2(kBrdfSize, 3.0 * kBrdfSize);
-  return EnvironmentBrdf(textureLod(table, texel / size, 0.0).rgb, textureLod(table, (texel + vec2(0.0, kBrdfSize)) / size, 0.0).rgb,
-                         textureLod(table, (texel + vec2(0.0, 2.0 * kBrdfSize)) / size, 0.0).rgb);
+  vec4 bias = textureLod(table, (texel + vec2(0.0, kBrdfSize)) / size, 0.0);
+  return EnvironmentBrdf(textureLod(table, texel / size, 0.0).rgb, bias.rgb,
+                         textureLod(table, (texel + vec2(0.0, 2.0 * kBrdfSize)) / size, 0.0).rgb, bias.w);
 }
 EnvironmentBrdf environmentBrdfAt(float NoV, float roughness) {
 #ifdef COLORED_BRDF
   return coloredBrdfAt(environmentBrdf, NoV, roughness);
 #else
-  vec3 table = textureLod(environmentBrdf, (vec2(NoV, roughness) * (kBrdfSize - 1.0) + 0.5) / kBrdfSize, 0.0).rgb;
-  return EnvironmentBrdf(vec3(table.x), vec3(table.y), vec3(table.z));
+  vec4 table = textureLod(environmentBrdf, (vec2(NoV, roughness) * (kBrdfSize - 1.0) + 0.5) / kBrdfSize, 0.0);
+  return EnvironmentBrdf(vec3(table.x), vec3(table.y), vec3(table.z), table.w);
 #endif
 }
 
@@ -146,13 +148,24 @@ void main() {
   vec3 specularLight = textureLod(prefilteredEnvironment, environmentFromWorld(R), level).rgb;
 #endif
   vec3 reflected = modelHasEnvironment ? modelEnvironment(s, p) : s.F0 * brdf.scale + brdf.bias;
-  vec3 light = specularLight * max(reflected, 0.0) + diffuseIrradiance(environmentFromWorld(N)) * s.diffuseColor * brdf.diffuse;
+  vec3 diffuseLight = diffuseIrradiance(environmentFromWorld(N));
+  vec3 light = specularLight * max(reflected, 0.0) + diffuseLight * s.diffuseColor * brdf.diffuse;
 #ifdef MODEL_COAT
   setLight(s, R);
   float coatRoughness = clamp(modelCoatRoughness(p), 0.0, 1.0);
   EnvironmentBrdf coat = coloredBrdfAt(coatBrdf, NoV, coatRoughness);
   light = light * modelThroughCoat(s, p) + textureLod(prefilteredCoat, environmentFromWorld(R), levelOf(coatRoughness)).rgb *
                                                max(s.F0 * coat.scale + coat.bias, 0.0) * modelCoatStrength(p);
+#endif
+#ifdef COMPENSATE
+  // What a single bounce loses comes back from all sides.
+  Shading white = s;
+  white.F0 = vec3(1.0);
+  vec3 single = modelHasEnvironment ? max(modelEnvironment(white, p), 0.0) : vec3(brdf.white);
+#ifdef MODEL_COAT
+  single = single * modelThroughCoat(white, p) + max(coat.scale + coat.bias, 0.0) * modelCoatStrength(p);
+#endif
+  light += diffuseLight * glintBounceTint(s, glintBouncesTowards(s)) * max(1.0 - max(single.r, max(single.g, single.b)), 0.0);
 #endif
   if (modelScatters) {
     // From all sides, by the corners of an icosahedron, in light as soft as what comes out of the surface.

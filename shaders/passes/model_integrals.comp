@@ -6,7 +6,9 @@
 layout(local_size_x = 64) in;
 
 struct Query { vec4 values, slots, F0, diffuse; };  // values: roughness, NoV, 1 under a light and 0 under an environment
-struct Sums { vec4 specular, specularBlack, diffuse, scattered; };  // f NoL for the query's F0 and for 0, and for its diffuse; integrals of D in w; scattered over all directions
+// f NoL for the query's F0 and for 0, for facets that reflect all, and of its diffuse; integrals of D in w; scattered over
+// all directions.
+struct Sums { vec4 specular, specularBlack, white, diffuse, scattered; };
 layout(std430, binding = 0) readonly buffer Queries { Query queries[]; };
 // Polar nodes u from 0 to 1; sin and cos of the theta_h that stands at u for D; cosine of the light at sin^2 = u.
 layout(std430, binding = 1) readonly buffer PolarNodes { vec4 polar[]; };
@@ -45,7 +47,7 @@ void main() {
   Parameters p = modelParameters(query.slots);
   modelPrepare(s, p);
 
-  Sums sums = Sums(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  Sums sums = Sums(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int j = 0; j < around.length(); ++j) {
     vec4 azimuth = around[j];
     // The half vectors whose light is above the horizon end where cos(2 theta - delta) = 0: nodes over just these meet
@@ -65,10 +67,22 @@ void main() {
     s.sinH2 = sinTheta * sinTheta;
     float weight = azimuth.z * sinTheta * grown * k * 4.0 * VoH * L.z;
     colors(s, query.F0.rgb, vec3(1.0));
-    sums.specular.rgb += modelSpecular(s, p) * weight;
+    sums.specular.rgb += modelSingleBounce(s, p) * weight;
+    colors(s, vec3(1.0), vec3(1.0));
+    sums.white.rgb += modelWhite(s, p) * weight;
     colors(s, vec3(0.0), vec3(1.0));
-    sums.specularBlack.rgb += modelSpecular(s, p) * weight;
+    sums.specularBlack.rgb += modelSingleBounce(s, p) * weight;
   }
+#ifdef COMPENSATE
+  // The same all around, and of smooth surfaces all at the horizon: nodes of its own.
+  float decades = log(1.0 + 1e4), grazing = 1e-4 * exp(decades * node.x), NoL = grazing - 1e-4;
+  setLight(s, vec3(sqrt((1.0 - NoL) * (1.0 + NoL)), 0.0, NoL));
+  colors(s, query.F0.rgb, vec3(1.0));
+  sums.specular.rgb += glintFurtherBounces(s, p.glintBounces) * (NoL * grazing * decades);
+  colors(s, vec3(0.0), vec3(1.0));
+  sums.specularBlack.rgb += glintFurtherBounces(s, p.glintBounces) * (NoL * grazing * decades);
+#endif
+#ifndef SPECULAR_ONLY
   for (int j = 0; j < around.length(); ++j) {
     vec4 azimuth = around[j];
     vec3 H = vec3(node.y * azimuth.x, node.y * azimuth.y, node.z);
@@ -93,5 +107,6 @@ void main() {
       sums.scattered.rgb += modelScattered(s, p) * azimuth.z;
     }
   }
+#endif
   results[index] = sums;
 }

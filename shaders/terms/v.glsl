@@ -81,6 +81,18 @@ float V_SmithGGXCorrelatedAniso(Shading s, float anisotropy) {
                                vec3(dot(s.T, s.V), dot(s.B, s.V), s.NoV));
 }
 
+// What the facets of the model's own D show towards light and view, for each unit of the surface: the integral of
+// D(h) max(v.h, 0) over all h (Heitz 2014, eq. 14). Glint makes it from D: renderer/model_tables.h.
+struct ProjectedAreas { float light, view; };
+
+// Smith 1967 for whatever D the model has, light and view independent: G1(v) = NoV / area(v), V = G1 G1 / (4 NoL NoV).
+float V_Smith(Shading s, ProjectedAreas area) { return 0.25 / (area.light * area.view); }
+
+// The same with heights correlated: G = 1 / (1 + Lambda(l) + Lambda(v)), 1 + Lambda = area / cosine (Heitz 2014, eq. 99).
+float V_SmithCorrelated(Shading s, ProjectedAreas area) {
+  return 0.25 / (area.light * s.NoV + area.view * s.NoL - s.NoL * s.NoV);
+}
+
 // Neubelt and Pettineo 2013, "Crafting a Next-Gen Material Pipeline": for cloth, smooth where light and view graze.
 float V_Neubelt(Shading s) { return 0.25 / (s.NoL + s.NoV - s.NoL * s.NoV); }
 
