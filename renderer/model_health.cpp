@@ -12,6 +12,7 @@
 #include "materials/base/check.h"
 #include "renderer/model_integrals.h"
 #include "renderer/model_probe.h"
+#include "renderer/sampler_error.h"
 #include "renderer/split_sum_error.h"
 
 namespace glint {
@@ -22,7 +23,7 @@ using std::numbers::pi;
 // Single precision and quadrature stay below these, see tests/models/numbers_test.cpp.
 constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03, kFurnace = 5e-3;
 constexpr float kMirrorRoughness = 0.1f;
-constexpr size_t kLaws = 9;
+constexpr size_t kLaws = 10;
 
 const std::vector<float> kFineRoughness = {0.05f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.35f, 0.4f, 0.45f, 0.5f,
                                            0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 1.f};
@@ -95,6 +96,7 @@ class Examination {
     } else {
       environment(*probe, *integrals);
     }
+    sampler(*probe);
     for (const ModelParameter& p : model_.parameters) {
       for (const float end : {p.minimum, p.maximum}) {
         Value value = p.standard;
@@ -267,6 +269,19 @@ class Examination {
     law.where = fmt::format("worst {:.3g} at roughness {:.3g}, NoV {:.3g}", found.worst, found.roughness, found.NoV);
   }
 
+  void sampler(const ModelProbe& probe) {
+    const auto made = ModelSampler::of(modelSetting(model_));
+    if (!made) return;
+    LawResult& law = result(Law::Sampler);
+    const SamplerError found = samplerError(probe, *made);
+    law.value = found.worst;
+    law.where = fmt::format("worst at roughness {:.3g}, NoV {:.3g}; {:.2g} % by the cosine", found.roughness, found.NoV, 100 * found.cosine);
+    if (made->fault().empty() || found.worst == 0) return;
+    law.verdict = Verdict::Amber;
+    law.reason = "its directions go by the cosine, which is slow: " + made->fault();
+    law.hint = "a sampler is tabulated from f, which must be finite and positive";
+  }
+
   const ShadingModel& model_;
   bool compensate_;
   ModelHealth& card_;
@@ -283,7 +298,7 @@ std::string_view name(Verdict verdict) {
 
 std::string_view name(Law law) {
   constexpr std::array<std::string_view, kLaws> kNames = {"compiles",      "finite", "non-negative", "reciprocity",
-                                                      "normalisation", "energy", "white furnace", "mirror limit", "environment"};
+                                                      "normalisation", "energy", "white furnace", "mirror limit", "environment", "sampler"};
   return kNames[static_cast<size_t>(law)];
 }
 
