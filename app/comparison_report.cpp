@@ -1,32 +1,10 @@
 #include "app/comparison_report.h"
 
+#include "app/markup.h"
 #include "renderer/image_codecs.h"
 
 namespace glint {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '&') result += "&amp;";
-    else if (c == '"') result += "&quot;";
-    else result += c;
-  }
-  return result;
-}
-
-std::string base64(const std::string& bytes) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t group = 0;
-    for (size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (size_t k = 0; k < 4; ++k) result += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-  }
-  return result;
-}
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: dark; }
@@ -57,31 +35,31 @@ Result<std::string> comparisonReport(const std::string& title, std::span<const S
     return fmt::format("<img width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", pixels.width, pixels.height, base64(*png));
   };
   std::string html = fmt::format("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>{0}</title>\n<style>{1}</style>\n<h1>{0}</h1>\n",
-                                 escaped(title), kStyle);
-  if (!text.axis.empty()) html += fmt::format("<p class=\"axis\">{}</p>\n", escaped(text.axis));
+                                 escapedMarkup(title), kStyle);
+  if (!text.axis.empty()) html += fmt::format("<p class=\"axis\">{}</p>\n", escapedMarkup(text.axis));
   html += fmt::format("<div class=\"grid\" style=\"grid-template-columns: auto repeat({}, max-content)\">\n<div></div>\n", text.columns.size());
-  for (const std::string& column : text.columns) html += fmt::format("<div class=\"column\">{}</div>\n", escaped(column));
+  for (const std::string& column : text.columns) html += fmt::format("<div class=\"column\">{}</div>\n", escapedMarkup(column));
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].heat) continue;
     const SheetRow* heat = i + 1 < rows.size() && rows[i + 1].heat ? &rows[i + 1] : nullptr;
-    html += fmt::format("<div class=\"row\">{}<br><small>{}</small></div>\n", escaped(rows[i].title), escaped(rows[i].subtitle));
+    html += fmt::format("<div class=\"row\">{}<br><small>{}</small></div>\n", escapedMarkup(rows[i].title), escapedMarkup(rows[i].subtitle));
     for (size_t column = 0; column < rows[i].cells.size(); ++column) {
       html += "<figure>" + image(rows[i].cells[column]);
       if (heat && !heat->cells[column].empty()) html += image(heat->cells[column]);
-      if (heat && column < heat->captions.size()) html += fmt::format("<figcaption>{}</figcaption>", escaped(heat->captions[column]));
+      if (heat && column < heat->captions.size()) html += fmt::format("<figcaption>{}</figcaption>", escapedMarkup(heat->captions[column]));
       html += "</figure>\n";
     }
   }
   html += "</div>\n";
   if (!numbers.empty()) {
     html += fmt::format("<h2>Difference to {}</h2>\n<p class=\"axis\">Point at a cell to see where it differs.</p>\n<table><tr><th>row</th><th>column</th>"
-                        "<th>FLIP</th><th>RMSE</th><th>largest</th></tr>\n", escaped(against));
+                        "<th>FLIP</th><th>RMSE</th><th>largest</th></tr>\n", escapedMarkup(against));
     for (const ReportNumbers& n : numbers)
-      html += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td></tr>\n", escaped(n.row), escaped(n.column), n.flip, n.rmse, n.largest);
+      html += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td></tr>\n", escapedMarkup(n.row), escapedMarkup(n.column), n.flip, n.rmse, n.largest);
     html += "</table>\n";
   }
   html += "<h2>Made by</h2>\n<dl>\n";
-  for (const auto& [key, value] : notes) html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
+  for (const auto& [key, value] : notes) html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escapedMarkup(key), escapedMarkup(value));
   html += "</dl>\n</html>\n";
   if (!problems.empty()) return problems;
   return html;

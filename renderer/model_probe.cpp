@@ -50,12 +50,23 @@ Shading shadingAt(Point p) {
 }
 )";
 
+// Of a model, between the point and the outputs.
+constexpr const char* kPrepareGlsl = R"(
+  Parameters p = modelParameters(standardParameters);
+  if (points[i].base.w != 0.0) {
+    setColors(s, s.baseColor, s.metallic, s.specular);
+    modelColors(s, p);
+  }
+  modelTurn(s, p);
+  modelPrepare(s, p);
+)";
+
 GpuPoint pack(const ProbePoint& p) {
   return {{p.NoL, p.NoV, p.NoH, p.VoH},
           {p.LoV, p.sinH2, p.roughness, p.analyticLight ? 1.f : 0.f},
           {p.F0, p.metallic},
           {p.diffuseColor, p.specular},
-          {p.baseColor, 0.f},
+          {p.baseColor, p.fromAttributes ? 1.f : 0.f},
           {p.light, static_cast<float>(p.choice)},
           {p.view, p.fromDirections ? 1.f : 0.f},
           p.a,
@@ -103,7 +114,7 @@ Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string&
                        glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
                        "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
                        "  vec4 a = points[i].a, b = points[i].b;\n" +
-                       (glsl.find("modelParameters") != glsl.npos ? "  Parameters p = modelParameters(standardParameters);\n  modelTurn(s, p);\n  modelPrepare(s, p);\n" : "");
+                       (glsl.find("modelParameters") != glsl.npos ? kPrepareGlsl : "");
   for (size_t k = 0; k < outputs.size(); ++k)
     source += fmt::format("  values[i * {}u + {}u] = {};\n", outputs.size(), k, outputs[k]);
   source += "}\n";

@@ -27,6 +27,9 @@ struct ProbePoint {
   // The cosines come from `light` and `view` as in a picture (setDirections of shading.glsl) instead of from
   // the members above.
   bool fromDirections = false;
+  // F0 and diffuseColor come from baseColor, metallic and specular, by the model's own rule where it has one, instead of
+  // from the members above.
+  bool fromAttributes = false;
 
   // All cosines from two unit vectors, in double precision.
   static ProbePoint at(glm::dvec3 light, glm::dvec3 view);

@@ -1,12 +1,15 @@
 // glint compare: rows of spheres, one row for each model.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/analysis/plot_settings.h"
 #include "app/command.h"
+#include "app/commands/compare_plot.h"
 #include "app/comparison_report.h"
 #include "app/comparison_sheet.h"
 #include "app/picture_file.h"
@@ -91,6 +94,7 @@ Result<Plan> parsePlan(const Arguments& arguments) {
     if (one.size() == 1) plan.against = one[0];
     else if (!one.empty()) problems.push_back(error("--against", fmt::format("{} models", one.size()), "name the one to compare with"));
   }
+  if (arguments.has("size")) problems.push_back(error("--size", "is for a plot", "the size of a sheet follows from --cell"));
   if (arguments.has("cell")) keepSize(parseWhole(arguments.get("cell"), 16, 2048, "--cell"), plan.cell);
   plan.transpose = arguments.has("transpose");
   plan.output = arguments.get("output");
@@ -303,6 +307,11 @@ nlohmann::ordered_json documentOf(const Plan& plan, const Axes& axes, const Cell
 }
 
 int run(const Arguments& arguments) {
+  if (arguments.has("plot")) {
+    auto models = parseModelList(arguments.get("models"), "--models");
+    if (models) mergeEqual(*models);
+    return plotComparison(arguments, models);
+  }
   auto plan = parsePlan(arguments);
   if (!plan) return badInput(plan.diagnostics());
   if (!plan->scene.backgroundGiven) {
@@ -393,16 +402,24 @@ int run(const Arguments& arguments) {
   return kDone;
 }
 
+std::string plotHelp() {
+  std::string keys;
+  for (const PlotKey& key : plotKeys()) keys += fmt::format("; {}={}", key.name, key.doc);
+  return fmt::format("curves instead of spheres, of {}{}", fmt::join(plotKindNames(), ", "), keys);
+}
+
 std::vector<Option> options() {
   std::vector<Option> all = {
       {"--models", "A,B,..", "a row for each shading model; parameters as burley:gamma=2", false, true},
-      {"-o,--output", "OUT", "the sheet (.png), or the cells alone (.exr, .hdr, .pfm: linear)", false, true},
+      {"-o,--output", "OUT", "the sheet (.png), the cells alone (.exr, .hdr, .pfm: linear), or a plot (.png, .svg)", false, true},
       {"--materials", "M1,M2,..", "a column for each material: library names or .json files"},
       {"--sweep", "NAME=FROM..TO:COUNT", "a column for each value of an attribute or parameter, a second sweep goes down (repeatable); roughness=0..1:5 where nothing says what the columns are", true},
       {"--against", "ID", "heat maps and numbers of the difference to this model"},
       {"--cell", "N", "pixels of a cell's side, 16..2048 (256)"},
       {"--transpose", "", "models across, as in the thesis' figure 5.2"},
       {"--report", "OUT.html", "also the comparison as one self-contained page"},
+      {"--plot", "KIND[:K=V,..]", plotHelp()},
+      {"--size", "WxH", "of a plot (900x600)"},
   };
   // What `render` has for one scene and a comparison says otherwise.
   for (Option& option : sceneOptionTable())
@@ -420,6 +437,8 @@ const Command kCompareCommand = {
     .examples = {"glint compare --models blinn-phong,cook-torrance,burley,ggx --materials aluminium,rubber,black -o fig52.png",
                  "glint compare --models ggx,burley --sweep roughness=0..1:5 --set metallic=1 -o roughness.png",
                  "glint compare --models ggx --sweep roughness=0..1:5 --sweep metallic=0..1:5 -o grid.png",
+                 "glint compare --models ggx,beckmann,'GGX*SmithGGX*Schlick' --plot lobe:roughness=0.3,angle=60,log=1 -o lobe.svg",
+                 "glint compare --models ggx,burley:gamma=1 --plot albedo:roughness=0.1/0.5 -o albedo.png",
                  "glint compare --models burley:gamma=1,burley:gamma=2 --against ggx --sweep roughness=0.1..0.9:5 -o gamma.png --report gamma.html"},
     .run = run,
 };

@@ -135,6 +135,7 @@ void Editor::frame(glm::ivec2 framebuffer, float deltaSeconds) {
     renderer_->uploadFonts();
   }
   checkModels();
+  render_->takePlot();
   if (render_->take() && shown().subject != framedSubject_) {
     framedSubject_ = shown().subject;
     if (shown().subject != "comparison") frameSubject();

@@ -98,7 +98,7 @@ Layout::Layout() : root_(standard()) {}
 
 std::unique_ptr<Node> Layout::standard() {
   return split(false, 0.765f,
-               split(true, 0.5f, leaf({"Viewport"}), leaf({"Graph", "Shader code"})),
+               split(true, 0.5f, leaf({"Viewport"}), leaf({"Graph", "Analysis", "Shader code"})),
                split(true, 0.56f, leaf({"Properties", "Library"}),
                      leaf({"Scene", "Views", "Models", "History", "Problems"})));
 }

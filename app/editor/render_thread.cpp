@@ -55,7 +55,23 @@ bool RenderThread::take() {
 
 bool RenderThread::hasFinished() const {
   const std::lock_guard lock(mutex_);
-  return finished_.has_value();
+  return finished_.has_value() || finishedPlot_;
+}
+
+void RenderThread::postPlot(PlotRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    pendingPlot_ = std::move(request);
+  }
+  changed_.notify_all();
+}
+
+bool RenderThread::takePlot() {
+  const std::lock_guard lock(mutex_);
+  if (!finishedPlot_) return false;
+  plot_ = std::move(finishedPlot_);
+  finishedPlot_.reset();
+  return true;
 }
 
 std::optional<RenderThread::Progress> RenderThread::progress() const {
@@ -70,7 +86,7 @@ bool RenderThread::working() const {
 
 bool RenderThread::settled() const {
   const std::lock_guard lock(mutex_);
-  return !pending_ && !busy_ && !refining_ && !checking_ && !finished_;
+  return !pending_ && !busy_ && !refining_ && !checking_ && !finished_ && !pendingPlot_ && !plotting_ && !finishedPlot_;
 }
 
 void RenderThread::publish(FrameResult result) {
@@ -98,6 +114,7 @@ void RenderThread::run() {
   {
     Renderer renderer(*context_);
     PreviewScene scene(nodes_, functions_);
+    PlotComputer plots;
     auto lastWake = Clock::now();
     renderer.setProgress([&](const std::string& what, double fraction) {
       {
@@ -112,29 +129,34 @@ void RenderThread::run() {
     });
     for (;;) {
       FrameRequest request;
+      std::optional<PlotRequest> plot;
       bool fresh = false;
       {
         std::unique_lock lock(mutex_);
         // A texture is drawn again only after the window has gone over to the next one, so each picture waits until
         // the one before has been taken.
-        changed_.wait(lock, [&] { return stop_ || (!finished_ && (pending_ || refining_ || checking_)); });
+        changed_.wait(lock, [&] { return stop_ || pendingPlot_ || (!finished_ && (pending_ || refining_ || checking_)); });
         if (stop_) break;
-        if (pending_) {
+        if (pending_ && !finished_) {
           request = std::move(*pending_);
           pending_.reset();
           busy_ = fresh = true;
           refining_ = false;
         }
+        plot = std::exchange(pendingPlot_, std::nullopt);
+        plotting_ = plot.has_value();
       }
       // Between two pictures one model is looked at: a fault is known in a moment and no picture waits for it.
+      const bool drawn = fresh || !plot;
       bool more = true;
       if (fresh) draw(renderer, scene, request);
-      else if (!unchecked_.empty()) checkModel(renderer);
-      else more = refine(renderer, scene);
+      else if (!plot && !unchecked_.empty()) checkModel(renderer);
+      else if (!plot) more = refine(renderer, scene);
+      if (plot) computePlot(plots, std::move(*plot));
       const std::lock_guard lock(mutex_);
-      busy_ = false;
+      busy_ = plotting_ = false;
       progress_.reset();
-      refining_ = more && !pending_;
+      if (drawn) refining_ = more && !pending_;
       checking_ = !unchecked_.empty();
     }
   }
@@ -206,6 +228,25 @@ void RenderThread::checkModel(Renderer& renderer) {
   if (faults.empty()) return;
   last_.modelProblems.insert(last_.modelProblems.end(), faults.begin(), faults.end());
   publish(last_);
+}
+
+void RenderThread::computePlot(PlotComputer& plots, PlotRequest request) {
+  const auto start = Clock::now();
+  // Given up for a newer one, or for a picture, after which it is taken up again.
+  const auto stop = [this] {
+    const std::lock_guard lock(mutex_);
+    return stop_ || pendingPlot_ || (pending_ && !finished_);
+  };
+  auto data = plots.compute(request.settings, request.subjects, request.dragging ? 0.4 : 1, stop);
+  {
+    const std::lock_guard lock(mutex_);
+    if (!data) {
+      if (!pendingPlot_) pendingPlot_ = std::move(request);
+      return;
+    }
+    finishedPlot_ = std::make_shared<PlotResult>(PlotResult{request.serial, std::move(*data), since(start)});
+  }
+  wake_();
 }
 
 bool RenderThread::refine(Renderer& renderer, PreviewScene&) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "app/analysis/plot_data.h"
 #include "app/editor/preview_scene.h"
 #include "renderer/gl/objects.h"
 
@@ -40,6 +41,19 @@ struct FrameResult {
   double milliseconds = 0;          // from the request's start to the picture
 };
 
+// Curves of models, for the analysis panel.
+struct PlotRequest {
+  uint64_t serial = 0;
+  PlotSettings settings;
+  std::vector<PlotSubject> subjects;
+  bool dragging = false;            // coarse values now are better than fine ones late
+};
+struct PlotResult {
+  uint64_t serial = 0;              // of its request
+  PlotData data;
+  double milliseconds = 0;          // that computing it took
+};
+
 class RenderThread {
  public:
   // `shared` shares objects with the window's context and is not current anywhere. `wake` is called from the thread
@@ -54,7 +68,12 @@ class RenderThread {
   // On the window's thread: takes the newest picture; true when it is another than before. Its texture stays as it is
   // until the next one has been taken.
   bool take();
-  bool hasFinished() const;                   // take() would
+  bool hasFinished() const;                   // take() or takePlot() would
+
+  // Plots go beside pictures: neither waits for the other longer than one model takes.
+  void postPlot(PlotRequest);
+  bool takePlot();
+  const std::shared_ptr<const PlotResult>& plot() const { return plot_; }   // the newest taken; null before the first
   const FrameResult& shown() const { return shown_; }
 
   struct Progress {
@@ -70,6 +89,7 @@ class RenderThread {
   void draw(Renderer&, PreviewScene&, const FrameRequest&);
   bool refine(Renderer&, PreviewScene&);
   void checkModel(Renderer&);                 // the next of those not looked at
+  void computePlot(PlotComputer&, PlotRequest);
   void publish(FrameResult);
   unsigned keep(unsigned drawn, glm::ivec2 size);   // a copy that stays while it is shown
 
@@ -83,9 +103,12 @@ class RenderThread {
   std::optional<FrameRequest> pending_;
   std::optional<FrameResult> finished_;       // not yet taken
   std::optional<Progress> progress_;
-  bool stop_ = false, busy_ = false, refining_ = false, checking_ = false;
+  std::optional<PlotRequest> pendingPlot_;
+  std::shared_ptr<const PlotResult> finishedPlot_;
+  bool stop_ = false, busy_ = false, plotting_ = false, refining_ = false, checking_ = false;
 
   FrameResult shown_;                         // the window's
+  std::shared_ptr<const PlotResult> plot_;
 
   // The render thread's own.
   FrameRequest current_;

@@ -16,13 +16,14 @@ std::unique_ptr<Panel> makeModelsPanel();
 std::unique_ptr<Panel> makeHistoryPanel();
 std::unique_ptr<Panel> makeProblemsPanel();
 std::unique_ptr<Panel> makeCodePanel();
+std::unique_ptr<Panel> makeAnalysisPanel();
 
 std::span<const PanelInfo> panelTable() {
   static const PanelInfo table[] = {
       {"Viewport", makeViewportPanel}, {"Graph", makeGraphPanel},     {"Properties", makePropertiesPanel},
       {"Library", makeLibraryPanel},   {"Scene", makeScenePanel},     {"Views", makeViewsPanel},
       {"Models", makeModelsPanel},     {"History", makeHistoryPanel}, {"Problems", makeProblemsPanel},
-      {"Shader code", makeCodePanel},
+      {"Shader code", makeCodePanel},  {"Analysis", makeAnalysisPanel},
   };
   return table;
 }
