@@ -22,12 +22,6 @@ double degreeStep(double raw) {
   return raw < 1 ? roundStep(raw) : 90;
 }
 
-// Minus signs as wide as the plus: hyphens vanish in print.
-std::string withMinus(std::string text) {
-  for (size_t at = 0; (at = text.find('-', at)) != std::string::npos; at += 3) text.replace(at, 1, "\u2212");
-  return text;
-}
-
 std::string plain(double value, double step) {
   const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
   if (std::abs(value) < step * 1e-6) return "0";
@@ -119,6 +113,11 @@ PlotAxis roundAxis(double low, double high, PlotScale scale, int decades) {
   if (high <= low) high = low + 1;
   const double step = roundStep((high - low) / 9);
   return {std::floor(low / step + 1e-6) * step, std::ceil(high / step - 1e-6) * step, scale};
+}
+
+std::string withMinus(std::string text) {
+  for (size_t at = 0; (at = text.find('-', at)) != std::string::npos; at += 3) text.replace(at, 1, "\u2212");
+  return text;
 }
 
 std::string readable(double value) {

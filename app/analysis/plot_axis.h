@@ -34,6 +34,9 @@ struct PlotAxis {
 // An axis that holds all of [low, high], ending at round values. For Log at most `decades` below the top.
 PlotAxis roundAxis(double low, double high, PlotScale, int decades = 6);
 
+// With true minus signs, as wide as the plus: hyphens vanish in print.
+std::string withMinus(std::string);
+
 // A value for a person to read, with four digits that count: "0.04321", "3183", "1.6e+06"; with a true minus.
 std::string readable(double value);
 

@@ -182,8 +182,8 @@ void addAlbedo(PlotData& data, const std::vector<Variant>& variants, size_t subj
     for (int i = 0; i < count; ++i) grid.push_back(0.05 + 0.95 * i / (count - 1));
   } else {
     // Closer together towards grazing views, where albedos change fastest.
-    const int count = std::max(14, static_cast<int>(46 * effort));
-    for (int i = 0; i < count; ++i) grid.push_back(89.7 * (1 - std::pow(1 - double(i) / (count - 1), 1.6)));
+    const int count = std::max(20, static_cast<int>(60 * effort));
+    for (int i = 0; i < count; ++i) grid.push_back(89.7 * (1 - std::pow(1 - double(i) / (count - 1), 2.4)));
   }
   std::vector<IntegralQuery> queries;
   std::vector<size_t> first(variants.size());

@@ -57,7 +57,7 @@ std::optional<PlotReading> readPlot(const PlotData& data, const PlotDrawing& dra
       return reading;
     }
     const std::string sign = signOf(xTitle(data.settings));
-    reading.place = frame.x.scale == PlotScale::Degrees ? fmt::format("{} {:.1f}\u00b0", sign, at.x) : fmt::format("{} {:.3f}", sign, at.x);
+    reading.place = frame.x.scale == PlotScale::Degrees ? withMinus(fmt::format("{} {:.1f}\u00b0", sign, at.x)) : fmt::format("{} {:.3f}", sign, at.x);
     for (size_t k = 0; k < data.curves.size(); ++k) {
       const PlotCurve& curve = data.curves[k];
       if (hidden.count(curve.subject)) continue;

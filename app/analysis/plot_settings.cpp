@@ -124,7 +124,7 @@ const std::vector<KeyInfo>& keyTable() {
       {{"part", "specular, diffuse or sum, several by /"}, kOfColor & ~bit(PlotKind::F), partKey},
       {{"cosine", "1: f times the cosine of the light"}, kLobes | bit(PlotKind::Slice), flag(&PlotSettings::cosine)},
       {{"over", "angle or roughness: the axis"}, bit(PlotKind::Albedo), overKey},
-      {{"log", "1: the value's axis is logarithmic"}, kAll, flag(&PlotSettings::log)},
+      {{"log", "1: the value's axis is logarithmic, as a slice is"}, kAll, flag(&PlotSettings::log)},
       {{"max", "where the value's axis ends"}, kAll, mostKey},
       {{"baseColor", "r/g/b"}, kOfColor, attribute("baseColor")},
       {{"metallic", "0..1"}, kOfColor, attribute("metallic")},
@@ -171,7 +171,10 @@ PlotSettings standardPlot(PlotKind kind) {
     setAttribute(settings, name, {v[0], v[1], v[2]});
   }
   if (kind == PlotKind::G || kind == PlotKind::V) settings.angles = {0};
-  if (kind == PlotKind::Slice) settings.phi = 90;
+  if (kind == PlotKind::Slice) {
+    settings.phi = 90;
+    settings.log = true;   // peaks would leave the rest black
+  }
   if (kind == PlotKind::Albedo) settings.white = true;
   return settings;
 }

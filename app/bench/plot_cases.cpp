@@ -29,7 +29,7 @@ BenchCase plotCase(const std::string& name, const std::string& doc, PlotKind kin
 
 std::vector<BenchCase> plotCases() {
   return {plotCase("plot.lobe", "the lobe of one model after a slider moved", PlotKind::Lobe),
-          plotCase("plot.albedo", "the directional albedo of one model over 46 angles", PlotKind::Albedo),
+          plotCase("plot.albedo", "the directional albedo of one model over 60 angles", PlotKind::Albedo),
           plotCase("plot.slice", "the slice of one model, 256x256", PlotKind::Slice)};
 }
 

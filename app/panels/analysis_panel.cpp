@@ -105,7 +105,7 @@ class AnalysisPanel final : public Panel {
     next.metallic = settings_.metallic;
     next.specular = settings_.specular;
     next.channel = settings_.channel;
-    next.log = settings_.log;
+    if (kind != PlotKind::Slice && settings_.kind != PlotKind::Slice) next.log = settings_.log;
     if (takes(kind, "angle") && takes(settings_.kind, "angle")) next.angles = settings_.angles;
     if (takes(kind, "cosine")) next.cosine = settings_.cosine;
     settings_ = next;

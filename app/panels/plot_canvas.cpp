@@ -75,7 +75,7 @@ void PlotCanvas::draw(const std::shared_ptr<const PlotData>& data, ImVec2 low, I
   };
   if (fresh || key(view) != key(view_)) {
     view_ = view;
-    layOut(size, hidden);
+    layOut();
   }
   ImGui::SetCursorScreenPos(low);
   // The legend's entries lie on top and are asked first.
@@ -88,7 +88,7 @@ void PlotCanvas::draw(const std::shared_ptr<const PlotData>& data, ImVec2 low, I
   if (ImGui::IsItemHovered()) read(low, hidden);
 }
 
-void PlotCanvas::layOut(ImVec2, const std::set<size_t>&) {
+void PlotCanvas::layOut() {
   drawing_ = layOutPlot(*data_, view_, measured);
   textures_.clear();
   for (const PlotItem& item : drawing_.items)

@@ -22,7 +22,7 @@ class PlotCanvas {
   void showAll() { x_.reset(), y_.reset(); }    // of the axes
 
  private:
-  void layOut(ImVec2 size, const std::set<size_t>& hidden);
+  void layOut();
   void paint(ImVec2 low);
   void legend(ImVec2 low, std::set<size_t>& hidden);
   void navigate(ImVec2 low);

@@ -103,7 +103,7 @@ TEST_F(Plots, AlbedosAreTheExactOnes) {
   // From tests/data/exact_values.json.
   const PlotCurve angle = compute("albedo:roughness=0.3", {"ggx"}, 1).curves[0];
   EXPECT_NEAR(valueAt(angle, std::acos(0.3) * 180 / pi), 0.819057, 2e-3);
-  EXPECT_EQ(angle.y.size(), 46u);
+  EXPECT_EQ(angle.y.size(), 60u);
   const PlotCurve roughness = compute("albedo:over=roughness,angle=78.46304096718451", {"ggx"}, 1).curves[0];
   EXPECT_NEAR(valueAt(roughness, 0.55), 0.701904, 2e-3);
   // Of a dielectric: specular and diffuse add up.
