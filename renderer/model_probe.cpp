@@ -163,9 +163,9 @@ Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, bool compensat
 
 Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofModel(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
 
-Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model) {
+Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, bool compensate) {
   return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
-                         "vec4(modelF(s, p), 0.0)"}, false);
+                         "vec4(modelF(s, p), 0.0)"}, compensate);
 }
 
 Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vector<std::string>& outputs, bool compensate) {

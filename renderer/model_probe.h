@@ -50,9 +50,9 @@ class ModelProbe {
   // With `compensate` the specular f has the lobe of further bounces in it (renderer/model_tables.h).
   static Result<ModelProbe> ofModel(const ShadingModel&, bool compensate = false);
   // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
+  static Result<ModelProbe> ofModelParts(const ShadingModel&, bool compensate = false);
   // One output: what the model's own environment() reflects, for models that define it.
   static Result<ModelProbe> ofEnvironment(const ShadingModel&);
-  static Result<ModelProbe> ofModelParts(const ShadingModel&);
 
   // Of every point its outputs in order.
   std::vector<glm::vec4> evaluate(std::span<const ProbePoint>) const;

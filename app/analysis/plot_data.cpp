@@ -293,19 +293,19 @@ double channelValue(const glm::dvec3& color, PlotChannel channel) {
   }
 }
 
-PlotComputer::Compiled& PlotComputer::compiled(const ShadingModel& model, bool integrals) {
-  const auto key = std::pair(model.id, model.hash);
+PlotComputer::Compiled& PlotComputer::compiled(const ShadingModel& model, bool integrals, bool compensate) {
+  const auto key = std::tuple(model.id, model.hash, compensate);
   if (!models_.count(key) && models_.size() >= kMostCompiled)
     models_.erase(std::min_element(models_.begin(), models_.end(), [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
   Compiled& entry = models_[key];
   entry.used = ++clock_;
   if (!entry.problems.empty()) return entry;
   if (integrals && !entry.integrals) {
-    auto made = ModelIntegrals::of(model);
+    auto made = ModelIntegrals::of(model, {.compensate = compensate});
     if (made) entry.integrals = std::move(*made);
     else entry.problems = made.diagnostics();
   } else if (!integrals && !entry.probe) {
-    auto made = ModelProbe::ofModelParts(model);
+    auto made = ModelProbe::ofModelParts(model, compensate);
     if (made) entry.probe = std::move(*made);
     else entry.problems = made.diagnostics();
   }
@@ -350,7 +350,7 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
       continue;
     }
     const bool albedo = settings.kind == PlotKind::Albedo;
-    Compiled& entry = compiled(model, albedo);
+    Compiled& entry = compiled(model, albedo, settings.compensate);
     if (!entry.problems.empty()) {
       data.problems.insert(data.problems.end(), entry.problems.begin(), entry.problems.end());
       data.notes.push_back(fmt::format("{} does not compile", subjects[i].title));

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -64,9 +65,9 @@ class PlotComputer {
     Diagnostics problems;
     uint64_t used = 0;
   };
-  Compiled& compiled(const ShadingModel&, bool integrals);
+  Compiled& compiled(const ShadingModel&, bool integrals, bool compensate);
   void resolveColors(PlotData&);
-  std::map<std::pair<std::string, uint64_t>, Compiled> models_;
+  std::map<std::tuple<std::string, uint64_t, bool>, Compiled> models_;
   std::optional<ModelProbe> colors_;
   uint64_t clock_ = 0;
 };

@@ -123,6 +123,7 @@ const std::vector<KeyInfo>& keyTable() {
       {{"channel", "luminance, r, g, b or rgb"}, kOfColor, channelKey},
       {{"part", "specular, diffuse or sum, several by /"}, kOfColor & ~bit(PlotKind::F), partKey},
       {{"cosine", "1: f times the cosine of the light"}, kLobes | bit(PlotKind::Slice), flag(&PlotSettings::cosine)},
+      {{"compensate", "1: with multiple scattering"}, kOfColor & ~bit(PlotKind::F), flag(&PlotSettings::compensate)},
       {{"over", "angle or roughness: the axis"}, bit(PlotKind::Albedo), overKey},
       {{"log", "1: the value's axis is logarithmic, as a slice is"}, kAll, flag(&PlotSettings::log)},
       {{"max", "where the value's axis ends"}, kAll, mostKey},

@@ -31,6 +31,7 @@ struct PlotSettings {
   float metallic = 0, specular = 0.5f;
   std::optional<glm::vec3> F0;       // instead of what follows from the three
   bool white = false;                // F0 and the diffuse colour are 1: a furnace
+  bool compensate = false;           // with the lobe of multiple scattering
   bool overRoughness = false;        // an albedo's axis, instead of the view's angle
   bool log = false, cosine = false;  // the value's axis; f times the light's cosine
   std::optional<float> most;         // the value's axis ends here

@@ -50,6 +50,7 @@ std::string plotConditions(const PlotData& data) {
   if (takes(s.kind, "angle") && !(albedo && !s.overRoughness) && s.angles.size() == 1)
     parts.push_back(fmt::format("{} at {:g}\u00b0{}", s.kind == PlotKind::G || s.kind == PlotKind::V ? "light" : "view", s.angles[0],
                                 albedo || s.angles[0] == 0 ? "" : " on the left"));
+  if (s.compensate) parts.push_back("multiple scattering");
   if (s.kind == PlotKind::Slice) parts.push_back(fmt::format("\u03c6_{{d}} {:g}\u00b0", s.phi));
   else if (takes(s.kind, "phi") && s.phi != 0) parts.push_back(fmt::format("{:g}\u00b0 from the tangent", s.phi));
   if (takes(s.kind, "channel") && s.channel != PlotChannel::Luminance) parts.push_back(fmt::format("channel{} {}", s.channel == PlotChannel::Rgb ? "s" : "", name(s.channel)));

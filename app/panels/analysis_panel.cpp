@@ -75,6 +75,7 @@ class AnalysisPanel final : public Panel {
       if (property("Channel", [&] { return ui::choice("Channel", channel, names); })) settings_.channel = static_cast<PlotChannel>(channel);
     }
     if (can("cosine")) property("Times cosine", [&] { return ui::checkbox("Times cosine", settings_.cosine); });
+    if (can("compensate")) property("All bounces", [&] { return ui::checkbox("All bounces", settings_.compensate); });
     if (property("Log scale", [&] { return ui::checkbox("Log scale", settings_.log); })) canvas_.showAll();
   }
 

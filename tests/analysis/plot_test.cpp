@@ -106,6 +106,9 @@ TEST_F(Plots, AlbedosAreTheExactOnes) {
   EXPECT_EQ(angle.y.size(), 60u);
   const PlotCurve roughness = compute("albedo:over=roughness,angle=78.46304096718451", {"ggx"}, 1).curves[0];
   EXPECT_NEAR(valueAt(roughness, 0.55), 0.701904, 2e-3);
+  // With multiple scattering nothing is lost.
+  const PlotCurve whole = compute("albedo:roughness=0.8,compensate=1", {"GGX*SmithGGXCorrelated*Schlick"}).curves[0];
+  for (const double degrees : {0.0, 45.0, 80.0}) EXPECT_NEAR(valueAt(whole, degrees), 1, 5e-3) << degrees;
   // Of a dielectric: specular and diffuse add up.
   const PlotData parts = compute("albedo:part=specular/diffuse/sum,specular=0.5,baseColor=0.5", {"ggx"});
   ASSERT_EQ(parts.curves.size(), 3u);

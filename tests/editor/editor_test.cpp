@@ -369,6 +369,9 @@ TEST_F(EditorTest, AMaterialThatCannotBeDrawnSaysSo) {
   // A model that is gone keeps its place in the list, so that it can be left out.
   ui().editor().layout().show("Models");
   ui().frames(3);
+  const ImVec2 models = ui().at("tab:Models");
+  ui().wheel({models.x, models.y + 150}, -60);  // it stands at the list's end
+  ui().frames(3);
   ASSERT_TRUE(ui().has("Models/gone-model"));
   ui().click("Models/gone-model");
   EXPECT_EQ(document().preview().models, std::vector<std::string>{"ggx"});
