@@ -102,16 +102,16 @@ PlotAxis PlotAxis::zoomed(double at, double factor) const {
 
 PlotAxis PlotAxis::moved(double units) const { return {value(units), value(1 + units), scale}; }
 
-PlotAxis roundAxis(double low, double high, PlotScale scale, int decades) {
+PlotAxis roundAxis(double low, double high, PlotScale scale, int steps) {
   if (scale == PlotScale::Log) {
     if (!(high > 0)) return {0.1, 1, scale};
     const double top = std::pow(10.0, std::ceil(std::log10(high) - 1e-9));
     double bottom = low > 0 ? std::pow(10.0, std::floor(std::log10(low) + 1e-9)) : 0;
-    bottom = std::clamp(bottom, top * std::pow(10.0, -decades), top / 10);
+    bottom = std::clamp(bottom, top * std::pow(10.0, -kMostDecades), top / 10);
     return {bottom, top, scale};
   }
   if (high <= low) high = low + 1;
-  const double step = roundStep((high - low) / 9);
+  const double step = roundStep((high - low) / steps);
   return {std::floor(low / step + 1e-6) * step, std::ceil(high / step - 1e-6) * step, scale};
 }
 

@@ -31,8 +31,10 @@ struct PlotAxis {
   PlotAxis moved(double units) const;
 };
 
-// An axis that holds all of [low, high], ending at round values. For Log at most `decades` below the top.
-PlotAxis roundAxis(double low, double high, PlotScale, int decades = 6);
+// An axis that holds all of [low, high], ending at round values, of which it has about `steps`. For Log at most
+// kMostDecades below the top.
+inline constexpr int kMostDecades = 6;
+PlotAxis roundAxis(double low, double high, PlotScale, int steps = 9);
 
 // With true minus signs, as wide as the plus: hyphens vanish in print.
 std::string withMinus(std::string);

@@ -293,19 +293,21 @@ double channelValue(const glm::dvec3& color, PlotChannel channel) {
   }
 }
 
-PlotComputer::Compiled& PlotComputer::compiled(const ShadingModel& model, bool integrals, bool compensate) {
-  const auto key = std::tuple(model.id, model.hash, compensate);
+PlotComputer::Compiled& PlotComputer::compiled(const ShadingModel& model, bool integrals, const Making& making) {
+  const auto key = std::tuple(model.id, model.hash, making);
   if (!models_.count(key) && models_.size() >= kMostCompiled)
     models_.erase(std::min_element(models_.begin(), models_.end(), [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
   Compiled& entry = models_[key];
   entry.used = ++clock_;
   if (!entry.problems.empty()) return entry;
   if (integrals && !entry.integrals) {
-    auto made = ModelIntegrals::of(model, {.compensate = compensate});
+    IntegralOptions options{.compensate = making.compensate, .specularOnly = making.specularOnly};
+    if (making.coarse) options.polar /= 2, options.quarter /= 2;
+    auto made = ModelIntegrals::of(model, options);
     if (made) entry.integrals = std::move(*made);
     else entry.problems = made.diagnostics();
   } else if (!integrals && !entry.probe) {
-    auto made = ModelProbe::ofModelParts(model, compensate);
+    auto made = ModelProbe::ofModelParts(model, making.compensate);
     if (made) entry.probe = std::move(*made);
     else entry.problems = made.diagnostics();
   }
@@ -350,7 +352,12 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
       continue;
     }
     const bool albedo = settings.kind == PlotKind::Albedo;
-    Compiled& entry = compiled(model, albedo, settings.compensate);
+    Making making{.compensate = settings.compensate};
+    if (albedo) {
+      making.specularOnly = settings.parts == std::vector<PlotPart>{PlotPart::Specular};
+      making.coarse = effort < 1;
+    }
+    Compiled& entry = compiled(model, albedo, making);
     if (!entry.problems.empty()) {
       data.problems.insert(data.problems.end(), entry.problems.begin(), entry.problems.end());
       data.notes.push_back(fmt::format("{} does not compile", subjects[i].title));

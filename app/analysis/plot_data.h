@@ -2,6 +2,7 @@
 // draws. No drawing; see plot_layout.h.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <map>
 #include <memory>
@@ -65,9 +66,14 @@ class PlotComputer {
     Diagnostics problems;
     uint64_t used = 0;
   };
-  Compiled& compiled(const ShadingModel&, bool integrals, bool compensate);
+  // What a model is compiled with.
+  struct Making {
+    bool compensate = false, specularOnly = false, coarse = false;
+    auto operator<=>(const Making&) const = default;
+  };
+  Compiled& compiled(const ShadingModel&, bool integrals, const Making&);
   void resolveColors(PlotData&);
-  std::map<std::tuple<std::string, uint64_t, bool>, Compiled> models_;
+  std::map<std::tuple<std::string, uint64_t, Making>, Compiled> models_;
   std::optional<ModelProbe> colors_;
   uint64_t clock_ = 0;
 };

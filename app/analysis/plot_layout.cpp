@@ -38,7 +38,7 @@ PlotAxis wholeY(const PlotData& data) {
   if (!(low <= high)) low = 0, high = least = 1;
   if (s.most) high = *s.most;
   if (s.kind == PlotKind::Polar) {
-    PlotAxis axis = s.most ? PlotAxis{0, high, PlotScale::Linear} : roundAxis(0, high, PlotScale::Linear);
+    PlotAxis axis = s.most ? PlotAxis{0, high, PlotScale::Linear} : roundAxis(0, high, PlotScale::Linear, 4);
     if (s.log) axis.scale = PlotScale::LogPlus;
     return axis;
   }
@@ -199,6 +199,7 @@ void drawPolar(Sheet& sheet, float top) {
   const auto ticks = frame.y.ticks(std::max(2, static_cast<int>(radius / sheet.px(60))));
   for (const PlotTick& tick : ticks)
     if (tick.value > frame.y.low) sheet.line(arc(frame, tick.value), 1, tick.label.empty() ? sheet.faint : sheet.grid);
+  sheet.line(arc(frame, frame.y.high), 1, sheet.grid);
   for (int angle = -90; angle <= 90; angle += 15) {
     sheet.line({frame.place(angle, frame.y.low), frame.place(angle, frame.y.high)}, 1, angle % 30 ? sheet.faint : angle ? sheet.grid : sheet.axis);
     if (angle % 30) continue;
