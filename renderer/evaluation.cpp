@@ -42,15 +42,15 @@ class Batch {
   struct ModelTicket {
     size_t model, index;
   };
-  ModelTicket modelPoint(const std::string& id, const ProbePoint& p) {
-    const size_t m = model(id, {});
+  ModelTicket modelPoint(const std::string& id, const ProbePoint& p, bool compensate) {
+    const size_t m = model(id, {}, compensate);
     models_[m].points.push_back(p);
     return {m, models_[m].points.size() - 1};
   }
   glm::dvec4 modelValue(ModelTicket t) const { return models_[t.model].pointValues[2 * t.index]; }
 
-  ModelTicket integral(const std::string& id, const IntegralQuery& query, const std::map<std::string, double>& parameters = {}) {
-    const size_t m = model(id, parameters);
+  ModelTicket integral(const std::string& id, const IntegralQuery& query, const std::map<std::string, double>& parameters = {}, bool compensate = false) {
+    const size_t m = model(id, parameters, compensate);
     models_[m].queries.push_back(query);
     return {m, models_[m].queries.size() - 1};
   }
@@ -72,6 +72,7 @@ class Batch {
   struct Model {
     ModelPtr model;
     std::map<std::string, double> parameters;
+    bool compensate = false;
     std::vector<ProbePoint> points;
     std::vector<glm::dvec4> pointValues;
     std::vector<IntegralQuery> queries;
@@ -79,27 +80,27 @@ class Batch {
     std::string fault;
   };
 
-  size_t model(const std::string& id, const std::map<std::string, double>& parameters) {
-    std::string key = id;
+  size_t model(const std::string& id, const std::map<std::string, double>& parameters, bool compensate) {
+    std::string key = id + (compensate ? " compensated" : "");
     for (const auto& [name, value] : parameters) key += fmt::format(" {}={}", name, value);
     if (const auto found = modelIndex_.find(key); found != modelIndex_.end()) return found->second;
     const auto made = registry_.get(id);
     if (!made) throw Fault{made.diagnostics()[0].what, made.diagnostics()[0].hint};
     for (const auto& [name, value] : parameters)
       if (!(*made)->parameter(name)) throw Fault{fmt::format("'{}' has no parameter '{}'", id, name), ""};
-    models_.push_back({*made, parameters, {}, {}, {}, {}, {}});
+    models_.push_back({*made, parameters, compensate, {}, {}, {}, {}, {}});
     return modelIndex_[key] = models_.size() - 1;
   }
 
   static void runModel(Model& m) {
     if (!m.points.empty()) {
-      auto probe = ModelProbe::ofModel(*m.model);
+      auto probe = ModelProbe::ofModel(*m.model, m.compensate || m.model->compensate);
       if (!probe) return void(m.fault = probe.diagnostics()[0].text());
       for (const auto& [name, value] : m.parameters) probe->set(name, Value::scalar(static_cast<float>(value)));
       for (const glm::vec4& v : probe->evaluate(m.points)) m.pointValues.emplace_back(v);
     }
     if (!m.queries.empty()) {
-      auto integrals = ModelIntegrals::of(*m.model);
+      auto integrals = ModelIntegrals::of(*m.model, {.compensate = m.compensate || m.model->compensate});
       if (!integrals) return void(m.fault = integrals.diagnostics()[0].text());
       for (const auto& [name, value] : m.parameters) integrals->set(name, Value::scalar(static_cast<float>(value)));
       m.integrals = integrals->evaluate(m.queries);
@@ -141,6 +142,9 @@ std::vector<double> vectorOf(const EvaluationRequest& request, std::string_view 
   return found->second;
 }
 
+// "compensate": 1 asks for the model with the lobe of further bounces.
+bool compensated(const EvaluationRequest& request) { return number(request, "compensate", 0) != 0; }
+
 bool underEnvironment(const EvaluationRequest& request) { return number(request, "environment", 0) != 0; }
 
 // The point of a term: from two directions l and v about n = +Z, or from the cosines that are given. `needed` must be.
@@ -178,7 +182,7 @@ std::string subject(const EvaluationRequest& request) {
 
 std::map<std::string, double> parametersOf(const EvaluationRequest& request) {
   static const std::set<std::string, std::less<>> kOthers = {"r", "roughness", "alpha", "NoL", "NoV", "NoH", "VoH", "LoV", "RoL",
-                                                             "F0", "albedo", "environment", "ax", "ay"};
+                                                             "F0", "albedo", "environment", "ax", "ay", "compensate"};
   std::map<std::string, double> parameters;
   for (const auto& [name, value] : request.numbers)
     if (!kOthers.count(name)) parameters[name] = value;
@@ -274,7 +278,7 @@ Finish modelValue(const std::string& id, const EvaluationRequest& request, Batch
   ProbePoint p = pointOf(request, {"NoL", "NoV", "NoH", "VoH"});
   roughness(request);
   number(request, "F0");
-  const auto ticket = batch.modelPoint(id, p);
+  const auto ticket = batch.modelPoint(id, p, compensated(request));
   return [ticket](const Batch& done) {
     if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw Fault{fault, ""};
     return one(done.modelValue(ticket).y);
@@ -308,7 +312,7 @@ Finish termOrModel(const EvaluationRequest& request, const Library& library, Bat
 // ---- integrals ----
 
 Finish integralOf(const EvaluationRequest& request, Batch& batch, double NoV, std::function<double(const ModelIntegral&)> pick) {
-  const auto ticket = batch.integral(subject(request), query(request, NoV), parametersOf(request));
+  const auto ticket = batch.integral(subject(request), query(request, NoV), parametersOf(request), compensated(request));
   return [ticket, pick = std::move(pick)](const Batch& done) {
     if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw Fault{fault, ""};
     return one(pick(done.integral(ticket)));
@@ -377,7 +381,7 @@ struct Average {
 Average average(const EvaluationRequest& request, Batch& batch) {
   Average made;
   for (const QuadratureNode& n : averageNodes())
-    made.parts.emplace_back(batch.integral(subject(request), query(request, n.x), parametersOf(request)), n.weight);
+    made.parts.emplace_back(batch.integral(subject(request), query(request, n.x), parametersOf(request), compensated(request)), n.weight);
   return made;
 }
 

@@ -90,8 +90,8 @@ class Examination {
     mirror(*integrals);
     if (compensate_) {
       // The split sum stands for the single bounce; further ones are lit by the irradiance.
-      const auto singleProbe = ModelProbe::ofModel(model_);
-      const auto singleIntegrals = ModelIntegrals::of(model_);
+      const auto singleProbe = ModelProbe::ofModel(model_, false);
+      const auto singleIntegrals = ModelIntegrals::of(model_, {.compensate = false});
       if (singleProbe && singleIntegrals) environment(*singleProbe, *singleIntegrals);
     } else {
       environment(*probe, *integrals);

@@ -59,7 +59,7 @@ Result<ModelIntegrals> ModelIntegrals::of(const ShadingModel& model, const Integ
 
 Result<ModelIntegrals> ModelIntegrals::of(const ModelSetting& setting, const IntegralOptions& options) {
   std::vector<std::string> defines;
-  if (options.compensate) defines.push_back("COMPENSATE");
+  if (options.compensate.value_or(setting.shader->model->compensate)) defines.push_back("COMPENSATE");
   if (options.specularOnly) defines.push_back("SPECULAR_ONLY");
   const ShadingModel& model = *setting.shader->model;
   auto program = gl::buildProgram(

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct ModelIntegral {
 };
 
 struct IntegralOptions {
-  bool compensate = false;     // with the lobe of further bounces (renderer/model_tables.h)
+  std::optional<bool> compensate;  // with the lobe of further bounces (renderer/model_tables.h); as the head asks when empty
   bool specularOnly = false;   // leaves `diffuse`, `distribution` and `projected` at 0
   int polar = 128, quarter = 24;  // nodes from the normal to the horizon, and in a quarter around it
 };

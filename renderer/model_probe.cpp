@@ -157,15 +157,16 @@ vec4 chosen(int choice, Shading s, vec4 a, vec4 b) {
   return build("expressions", glsl + "  return vec4(0.0);\n}\n", {"chosen(int(points[i].light.w), s, a, b)"});
 }
 
-Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, bool compensate) {
-  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"}, compensate);
+Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, std::optional<bool> compensate) {
+  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"},
+                 compensate.value_or(model.compensate));
 }
 
 Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofModel(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
 
-Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, bool compensate) {
+Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, std::optional<bool> compensate) {
   return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
-                         "vec4(modelF(s, p), 0.0)"}, compensate);
+                         "vec4(modelF(s, p), 0.0)"}, compensate.value_or(model.compensate));
 }
 
 Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vector<std::string>& outputs, bool compensate) {

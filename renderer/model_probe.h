@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,10 +48,11 @@ class ModelProbe {
   // the expression that the point chooses.
   static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
   // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own lines.
-  // With `compensate` the specular f has the lobe of further bounces in it (renderer/model_tables.h).
-  static Result<ModelProbe> ofModel(const ShadingModel&, bool compensate = false);
+  // With `compensate`, which is as the head asks when not given, the specular f has the lobe of further bounces in it
+  // (renderer/model_tables.h).
+  static Result<ModelProbe> ofModel(const ShadingModel&, std::optional<bool> compensate = {});
   // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
-  static Result<ModelProbe> ofModelParts(const ShadingModel&, bool compensate = false);
+  static Result<ModelProbe> ofModelParts(const ShadingModel&, std::optional<bool> compensate = {});
   // One output: what the model's own environment() reflects, for models that define it.
   static Result<ModelProbe> ofEnvironment(const ShadingModel&);
 

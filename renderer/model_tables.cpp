@@ -248,7 +248,7 @@ Result<ProjectedAreaTable> projectedAreas(const ModelSetting& setting) {
 }
 
 Result<LossTable> losses(const ModelSetting& setting) {
-  const auto integrals = ModelIntegrals::of(setting, {.specularOnly = true, .polar = 48, .quarter = 8});
+  const auto integrals = ModelIntegrals::of(setting, {.compensate = false, .specularOnly = true, .polar = 48, .quarter = 8});
   if (!integrals) return integrals.diagnostics();
   std::vector<IntegralQuery> queries, some;
   for (const double roughness : tableRoughnesses(LossTable::kRoughnesses))

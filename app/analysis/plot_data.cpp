@@ -352,7 +352,7 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
       continue;
     }
     const bool albedo = settings.kind == PlotKind::Albedo;
-    Making making{.compensate = settings.compensate};
+    Making making{.compensate = settings.compensate || model.compensate};
     if (albedo) {
       making.specularOnly = settings.parts == std::vector<PlotPart>{PlotPart::Specular};
       making.coarse = effort < 1;

@@ -65,6 +65,22 @@ TEST(EvalCommand, TakesAListOfItsOwn) {
   EXPECT_NEAR(values[3]["value"].get<double>(), 1 / 3.14159265, 1e-6) << "alpha 1 is uniform for every gamma";
 }
 
+// "compensate" asks for the model with all bounces; what is made for a model's own D is asked of a model.
+TEST(EvalCommand, CompensatedModelsAndOwnTerms) {
+  write("work.json", R"([
+    {"id": "a", "term": "directional_albedo", "model": "GGX*SmithGGX*Schlick", "args": {"r": 0.9, "NoV": 0.4, "compensate": 1}},
+    {"id": "b", "term": "f_GGX*Smith*None", "args": {"r": 0.5, "F0": 1, "l": [0.6, 0, 0.8], "v": [-0.6, 0, 0.8]}},
+    {"id": "c", "term": "f_GGX*SmithGGX*None", "args": {"r": 0.5, "F0": 1, "l": [0.6, 0, 0.8], "v": [-0.6, 0, 0.8]}},
+    {"id": "d", "term": "V_Smith", "args": {"r": 1, "NoL": 0.3, "NoV": 0.3}}])");
+  const auto ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("'V_Smith' is made for the D of a model"));
+  const json values = json::parse(ran.out);
+  ASSERT_EQ(values.size(), 3u);
+  EXPECT_NEAR(values[0]["value"].get<double>(), 1, 5e-3);
+  EXPECT_NEAR(values[1]["value"].get<double>(), values[2]["value"].get<double>(), 2e-3 * values[2]["value"].get<double>());
+}
+
 TEST(EvalCommand, WhatCannotBeEvaluatedIsSaidAndNotInvented) {
   write("work.json", R"([
     {"id": "good", "term": "F_Schlick", "args": {"F0": 0.04, "VoH": 1}},

@@ -96,7 +96,6 @@ TEST(SceneOptions, EveryFaultIsReportedAtItsOption) {
   expectFault("light", "point:pos=1/1/1,cd=-4", "out of range");
   expectFault("set", "roughness", "NAME=VALUE");
   expectFault("model", "ggx,burley", "2 models");
-  expectFault("compensate", "true", "not in this version");
   expectFault("reference", "64", "not in this version");
 }
 
