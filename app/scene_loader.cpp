@@ -40,10 +40,7 @@ Result<ModelPtr> Libraries::model(const std::string& id, const std::string& plac
     return faults;
   }
   // A model that is not there may be one whose file is broken: then that is what is wrong.
-  Diagnostics broken;
-  for (const Diagnostic& d : models.problems())
-    if (d.severity == Severity::Error && d.place.find("/" + id + ".glsl") != std::string::npos) broken.push_back(d);
-  if (!broken.empty()) return broken;
+  if (found.diagnostics()[0].place != unknownModelPlace(id)) return found;
   return error(place, fmt::format("unknown shading model '{}'", id), found.diagnostics()[0].hint);
 }
 

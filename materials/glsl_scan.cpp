@@ -16,7 +16,7 @@ namespace {
 constexpr size_t kMostStatementTokens = 4000, kMostElses = 500, kMostMacroTokens = 10'000;
 constexpr int kDeepestBrackets = 100;
 // What is computed for every pixel must be small: compilers keep arrays in registers, or try to.
-constexpr long kLargestArray = 1024, kLargestArrayOfStructs = 32, kLongestLoop = 65536;
+constexpr long kLargestArray = 1024, kLargestArrayOfStructs = 32, kLongestLoop = 32768;
 
 struct Token {
   std::string_view text;
@@ -373,7 +373,7 @@ class Scanner {
                                                         "out",     "attribute", "varying", "subroutine"};
       if (std::find(std::begin(kForbidden), std::end(kForbidden), token.text) != std::end(kForbidden)) {
         fault(token.line, fmt::format("'{}' is not for a plugin", token.text),
-              "declare a parameter in the head: it becomes a member of Parameters");
+              "declare a parameter: the host gives it its value");
         return;
       }
       if (i > 0 && statement_[i - 1].isName() &&

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::string_view, 75> kWords = {
+constexpr std::array<std::string_view, 94> kWords = {
     "attribute", "bool",      "break",     "buffer",   "bvec2",      "bvec3",    "bvec4",    "case",      "centroid",
     "coherent",  "const",     "continue",  "default",  "discard",    "do",       "double",   "else",      "false",
     "flat",      "float",     "for",       "highp",    "if",         "image2D",  "in",       "inout",     "int",
@@ -17,7 +17,9 @@ constexpr std::array<std::string_view, 75> kWords = {
     "return",    "sample",    "sampler2D", "sampler3D", "samplerCube", "shared", "smooth",   "struct",    "subroutine",
     "switch",    "true",      "uint",      "uniform",  "uvec2",      "uvec3",    "uvec4",    "varying",   "vec2",
     "vec3",      "vec4",      "void",      "volatile", "while",      "writeonly", "dvec2",   "dvec3",     "dvec4",
-    "samplerBuffer", "sampler2DArray", "usampler2D"};
+    "samplerBuffer", "sampler2DArray", "usampler2D", "mat2x2", "mat2x3", "mat2x4", "mat3x2", "mat3x3", "mat3x4",
+    "mat4x2", "mat4x3", "mat4x4", "dmat2", "dmat3", "dmat4", "sampler1D", "sampler1DArray", "sampler2DShadow",
+    "atomic_uint", "image1D", "image3D", "usampler3D"};
 
 // Section 3.6: kept for later versions of the language.
 constexpr std::array<std::string_view, 36> kReserved = {
@@ -43,8 +45,8 @@ std::optional<WordFault> faultOfWord(std::string_view word) {
     return WordFault{fmt::format("'{}' is not for a plugin", word), hint};
   };
   if (word == "discard") return notForPlugins("a model has no pixel to drop: return vec3(0.0), or use the opacityMask of a material");
-  if (word.starts_with("gl_")) return notForPlugins("a model is evaluated for one pair of directions: all it has is in Shading and Parameters");
-  if (contains(kDerivatives, word)) return notForPlugins("a model has no neighbouring pixels: all it has is in Shading and Parameters");
+  if (word.starts_with("gl_")) return notForPlugins("a model is evaluated for one pair of directions: all it has is what it is called with");
+  if (contains(kDerivatives, word)) return notForPlugins("a model has no neighbouring pixels: all it has is what it is called with");
   if (contains(kReserved, word)) return WordFault{fmt::format("'{}' is a reserved word of GLSL", word), "choose another name"};
   if (word.find("__") != word.npos)
     return WordFault{fmt::format("'{}' is reserved: names with two underscores are the compiler's", word), "choose another name"};

@@ -24,8 +24,8 @@ NodeId wrapOutput(Material& material) {
 }  // namespace
 
 Result<Value> overrideValue(const ShadingModel& model, const std::string& name, std::string_view valueText) {
-  const Attribute* attribute = findAttribute(name);
-  const ModelParameter* parameter = attribute ? nullptr : model.parameter(name);
+  const ModelParameter* parameter = model.parameter(name);
+  const Attribute* attribute = parameter ? nullptr : findAttribute(name);
   if (!attribute && !parameter) {
     std::vector<std::string> known = attributeNames();
     for (const ModelParameter& p : model.parameters) known.push_back(p.name);
@@ -44,12 +44,15 @@ Result<Value> overrideValue(const ShadingModel& model, const std::string& name, 
   return *value;
 }
 
-Diagnostics overrideAttribute(Material& material, const ShadingModel& model, const std::string& name,
+Diagnostics overrideAttribute(Material& material, const ShadingModel& model, const std::string& wanted,
                               std::string_view valueText) {
+  // A parameter of a .brdf goes by two names.
+  const ModelParameter* known = model.parameter(wanted);
+  const std::string& name = known ? known->name : wanted;
   const auto value = overrideValue(model, name, valueText);
   if (!value) return value.diagnostics();
-  const Attribute* attribute = findAttribute(name);
-  const ModelParameter* parameter = attribute ? nullptr : model.parameter(name);
+  const ModelParameter* parameter = model.parameter(name);
+  const Attribute* attribute = parameter ? nullptr : findAttribute(name);
   const ValueType type = value->type;
   if (parameter && parameter->slot < 0) {
     material.modelParameters[name] = *value;

@@ -16,19 +16,11 @@
 namespace glint {
 namespace {
 
-constexpr size_t kLargestModel = size_t{256} << 10, kMostParameters = 32;
+constexpr size_t kLargestModel = size_t{256} << 10;
 
-// What is wrong with a name for a member of `Parameters`, or nothing.
 std::string faultOfName(const std::string& name) {
-  if (name.empty() || name.size() > 64 || std::isdigit(static_cast<unsigned char>(name[0])) ||
-      !std::all_of(name.begin(), name.end(),
-                   [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); }))
-    return "is not a GLSL name of letters, digits and _";
-  if (name.starts_with("gl_") || name.starts_with("glint") || name.find("__") != name.npos ||
-      isGlslWord(name))
-    return "is a reserved word";
-  if (findAttribute(name)) return "is the name of an attribute";
-  return {};
+  const std::string fault = faultOfParameterName(name);
+  return fault.empty() && findAttribute(name) ? "is the name of an attribute" : fault;
 }
 
 std::string titleOf(std::string name) {
@@ -81,10 +73,10 @@ std::optional<ModelParameter> readParameter(const Json& json, const std::string&
 }
 
 void readParameters(const Json& list, const std::string& file, ShadingModel& model, Diagnostics& problems) {
-  if (list.items.size() > kMostParameters) {
+  if (list.items.size() > kMostModelParameters) {
     problems.push_back(error(fmt::format("{}:{}", file, list.line),
                              fmt::format("{} parameters", list.items.size()),
-                             fmt::format("at most {} are possible", kMostParameters)));
+                             fmt::format("at most {} are possible", kMostModelParameters)));
     return;
   }
   int used = 0;
@@ -156,6 +148,7 @@ void addTermParameters(ShadingModel& model) {
 void readHead(const Json& head, const std::string& file, ShadingModel& model, Diagnostics& problems) {
   ObjectReader reader(head, file, "", problems);
   model.id = reader.text("id", true).value_or("");
+  if (const Json* id = head.find("id")) model.idLine = id->line;
   if (const Json* id = head.find("id"); id && id->isString() && !isModelId(id->text))
     reader.problem(*id, fmt::format("'{}' is no id", id->text.substr(0, 64)), kModelIdRule);
   model.title = reader.text("title").value_or(model.id);
@@ -164,12 +157,7 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
     if (!inRange(*color, 0, 1)) reader.problem(*head.find("color"), "'color' is outside 0..1", "three numbers from 0 to 1");
     model.color = {color->v[0], color->v[1], color->v[2]};
   } else {
-    // A colour of its own for each id, neither dark nor pale.
-    const uint64_t hash = hashText(model.id);
-    for (size_t i = 0; i < 3; ++i) {
-      const float angle = 6.2831853f * (static_cast<float>(hash % 1024) / 1024.f + static_cast<float>(i) / 3.f);
-      model.color[i] = 0.6f + 0.25f * std::cos(angle);
-    }
+    model.color = colorOfId(model.id);
   }
   if (const Json* list = reader.array("parameters")) readParameters(*list, file, model, problems);
   model.prepared = reader.texts("prepared").value_or(std::vector<std::string>{});
@@ -182,9 +170,9 @@ void readHead(const Json& head, const std::string& file, ShadingModel& model, Di
       fault = "is there twice";
     if (!fault.empty()) reader.problem(*head.find("prepared"), fmt::format("prepared '{}' {}", name, fault), "choose another name");
   }
-  if (model.prepared.size() > kMostParameters)
+  if (model.prepared.size() > kMostModelParameters)
     reader.problem(*head.find("prepared"), fmt::format("{} prepared members", model.prepared.size()),
-                   fmt::format("at most {} are possible", kMostParameters));
+                   fmt::format("at most {} are possible", kMostModelParameters));
   if (const Json* json = reader.object("terms")) readTerms(*json, file, model, problems);
   addTermParameters(model);
   // The name of one of the model's parameters, a float or, where that is allowed, a color.
@@ -379,10 +367,44 @@ bool isModelId(const std::string& id) {
          });
 }
 
+std::string faultOfParameterName(const std::string& name) {
+  if (name.empty() || name.size() > 64 || std::isdigit(static_cast<unsigned char>(name[0])) ||
+      !std::all_of(name.begin(), name.end(),
+                   [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); }))
+    return "is not a GLSL name of letters, digits and _";
+  if (name.starts_with("gl_") || name.starts_with("glint") || name.find("__") != name.npos ||
+      isGlslWord(name))
+    return "is a reserved word";
+  return {};
+}
+
+std::array<float, 3> colorOfId(const std::string& id) {
+  const uint64_t hash = hashText(id);
+  std::array<float, 3> color;
+  for (size_t i = 0; i < 3; ++i) {
+    const float angle = 6.2831853f * (static_cast<float>(hash % 1024) / 1024.f + static_cast<float>(i) / 3.f);
+    color[i] = 0.6f + 0.25f * std::cos(angle);
+  }
+  return color;
+}
+
+std::optional<Diagnostic> faultOfModelText(const std::filesystem::path& file, const std::string& text) {
+  if (text.size() > kLargestModel)
+    return error(file.string(), fmt::format("is {} bytes long", text.size()), fmt::format("a shading model has at most {}", kLargestModel));
+  if (const size_t zero = text.find('\0'); zero != text.npos)
+    return error(fmt::format("{}:{}", file.string(), 1 + std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')),
+                 "holds a zero byte", "a shading model is a text file");
+  return std::nullopt;
+}
+
 const ModelParameter* ShadingModel::parameter(std::string_view wanted) const {
   for (const ModelParameter& p : parameters)
-    if (p.name == wanted) return &p;
+    if (p.name == wanted || p.fileName == wanted) return &p;
   return nullptr;
+}
+
+bool ShadingModel::reads(std::string_view attribute) const {
+  return uses.empty() || std::find(uses.begin(), uses.end(), attribute) != uses.end();
 }
 
 std::array<float, 4> ShadingModel::standardSlots() const {
@@ -395,12 +417,7 @@ std::array<float, 4> ShadingModel::standardSlots() const {
 
 Result<ShadingModel> parseModel(const std::filesystem::path& path, const std::string& text) {
   const std::string file = path.string();
-  if (text.size() > kLargestModel)
-    return error(file, fmt::format("is {} bytes long", text.size()),
-                 fmt::format("a shading model has at most {}", kLargestModel));
-  if (const size_t zero = text.find('\0'); zero != text.npos)
-    return error(fmt::format("{}:{}", file, 1 + std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n')),
-                 "holds a zero byte", "a shading model is a text file");
+  if (auto fault = faultOfModelText(path, text)) return *fault;
   auto front = readFrontMatter(file, text);
   if (!front) return front.diagnostics();
   ShadingModel model;

@@ -62,6 +62,9 @@ struct ModelParameter {
   // First component in the G-buffer's four per-pixel model parameters, or -1: then the parameter is
   // constant over a material (no pin), because the four are taken by those declared before it.
   int slot = -1;
+  // What a .brdf file calls it, else empty. It differs from `name` where an attribute has that name: the model then
+  // answers to it in the attribute's place, as it does not read the attribute.
+  std::string fileName = {};
 };
 
 struct ShadingModel {
@@ -93,14 +96,20 @@ struct ShadingModel {
   std::vector<std::string> cite;
   std::vector<std::string> uses;         // attributes it reads; all when empty
   std::filesystem::path file;            // as diagnostics name it
+  int idLine = 1;                        // where `file` says its id
   std::string source;                    // the file's text, the head blanked so that lines keep their numbers
-  uint64_t hash = 0;                     // of the file's bytes
+  std::filesystem::path sourceFile;      // whose lines `source` has, where that is another file; else empty
+  std::string namePrefix;                // stands before every name of `source` that a .brdf file chose, else empty
+  uint64_t hash = 0;                     // of the bytes of the file, and of `sourceFile`
 
-  const ModelParameter* parameter(std::string_view name) const;
+  const ModelParameter* parameter(std::string_view name) const;  // also by its fileName
+  bool reads(std::string_view attribute) const;                  // as `uses` has it
   // Whether there is a D, V or F to ask for: not for a model that is only `specular`.
   bool hasD() const { return definesD || !termD.empty(); }
   bool hasV() const { return definesV || !termV.empty() || !termG.empty(); }
   bool hasF() const { return definesF || !termF.empty(); }
+  // Whether its specular part is all of it, the diffuse light included: a .brdf.
+  bool isWhole() const { return !namePrefix.empty(); }
   // The four per-pixel parameters at their defaults.
   std::array<float, 4> standardSlots() const;
 };
@@ -109,6 +118,16 @@ struct ShadingModel {
 bool isModelId(const std::string& id);
 inline constexpr const char* kModelIdRule =
     "up to 64 letters, digits, '-', '_' and '.', a letter or digit first";
+
+// A colour for a model that names none: one of its own for each id, neither dark nor pale.
+std::array<float, 3> colorOfId(const std::string& id);
+
+// Why bytes cannot be the text of a model in any format: too long, or a zero byte.
+std::optional<Diagnostic> faultOfModelText(const std::filesystem::path& file, const std::string& text);
+
+// What is wrong with a name for a member of `Parameters`, or nothing: "is a reserved word".
+std::string faultOfParameterName(const std::string& name);
+inline constexpr size_t kMostModelParameters = 32;
 
 // Reads one plugin from its text. Every fault of the head is reported, each at its line of the file.
 Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::string& text);
@@ -133,8 +152,12 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 //   vec3 modelWhite(Shading, Parameters)                f of the specular part for facets that reflect all: D V, or for a
 //                                                       model with a specular() or a coat that, when s.F0 is 1
 //   vec3 modelLobeWhite(Shading, Parameters)            the same of the lobe without its coat
+//   vec3 modelLit(Shading, Parameters)                  what a light makes visible: both parts
 //   const bool modelHasD, modelHasEnvironment, modelScatters
-// and the macros MODEL_COAT and MODEL_TANGENT when it has a coat or uses the tangent. With COMPENSATE defined
+//   const bool modelReadsRoughness                      of "uses"
+// and the macros MODEL_COAT and MODEL_TANGENT when it has a coat or uses the tangent, MODEL_IS_WHOLE when its specular
+// part is all of it, as a .brdf's is. Loops of the plugin's text end after kMostTurns turns in one evaluation, which is
+// then not a number. With COMPENSATE defined
 // modelSpecular() has the lobe of all further bounces in it (shaders/common/model_tables.glsl).
 // `uniform vec4 glintModelConstants[N]` holds the parameters without a slot, one vec4 each in
 // declaration order (N >= 1). `sourceIndex` is the source-string number that GLSL errors in the plugin's
@@ -142,6 +165,7 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 // number, others keep both.
 std::string modelGlsl(const ShadingModel&, int sourceIndex);
 inline constexpr int kModelSourceIndex = 7;
+inline constexpr int kMostTurns = 32768;
 inline constexpr int kModelLineBase = 100000;  // the plugin's line 1 is reported as 100001
 
 // Turns a driver's shader log into diagnostics at the plugin's own lines, one for each fault: what follows from it and

@@ -96,7 +96,8 @@ bool isFollowOn(std::string_view message) {
 // candidates; a name that is not there is said once, however often it stands.
 class Findings {
  public:
-  explicit Findings(const ShadingModel& model) : model_(model) {
+  explicit Findings(const ShadingModel& model)
+      : model_(model), file_((model.sourceFile.empty() ? model.file : model.sourceFile).string()) {
     lines_ = 1 + static_cast<int>(std::count(model.source.begin(), model.source.end(), '\n'));
   }
 
@@ -106,14 +107,17 @@ class Findings {
     if (const size_t list = what.find("; candidates are:"); list != what.npos) what.resize(list);
     int line = log.line - kModelLineBase;
     if (line < 1) line = lineOfFunction(scan(), what);
-    const std::string place = line >= 1 ? fmt::format("{}:{}", model_.file.string(), std::min(line, lines_))
-                                        : fmt::format("{} (generated{})", model_.file.string(),
+    what = asWritten(std::move(what));
+    const std::string place = line >= 1 ? fmt::format("{}:{}", file_, std::min(line, lines_))
+                                        : fmt::format("{} (generated{})", file_,
                                                       log.line ? fmt::format(", line {}", log.line) : std::string());
     const bool known = std::any_of(found_.begin(), found_.end(),
                                    [&](const Diagnostic& d) { return d.place == place || d.what == what; });
     if (known || (!found_.empty() && isFollowOn(what))) return;
     const bool recursion = what.find("recursi") != what.npos;
-    found_.push_back(error(place, what, recursion ? "GLSL has no recursion: write a loop" : "'glint new-model ID' writes a start that lists what a plugin can use"));
+    const char* hint = model_.namePrefix.empty() ? "'glint new-model ID' writes a start that lists what a plugin can use"
+                                                 : "a .brdf is GLSL 4.10 with its parameters as variables";
+    found_.push_back(error(place, what, recursion ? "GLSL has no recursion: write a loop" : hint));
   }
 
   const Diagnostics& all() const { return found_; }
@@ -124,7 +128,16 @@ class Findings {
     return *scan_;
   }
 
+  // Names as the file has them.
+  std::string asWritten(std::string text) const {
+    if (model_.namePrefix.empty()) return text;
+    for (size_t at = text.find(model_.namePrefix); at != text.npos; at = text.find(model_.namePrefix, at))
+      text.erase(at, model_.namePrefix.size());
+    return text;
+  }
+
   const ShadingModel& model_;
+  std::string file_;
   int lines_ = 0;
   std::optional<GlslScan> scan_;
   Diagnostics found_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "materials/base/check.h"
+#include "materials/glsl_loops.h"
 #include "materials/glsl_scan.h"
 #include "materials/model.h"
 #include "materials/terms.h"
@@ -21,15 +22,19 @@ std::string fromVector(ValueType type, const std::string& vector, int first) {
   return part;
 }
 
+std::string memberName(const ShadingModel& model, const ModelParameter& p) {
+  return p.fileName.empty() ? p.name : model.namePrefix + p.fileName;
+}
+
 std::string parametersGlsl(const ShadingModel& model) {
   std::string members, reads;
   int constants = 0;
   for (const ModelParameter& p : model.parameters) {
-    members += fmt::format("  {} {};\n", memberType(p.standard.type), p.name);
+    members += fmt::format("  {} {};\n", memberType(p.standard.type), memberName(model, p));
     const std::string from = p.slot >= 0
                                  ? fromVector(p.standard.type, "slots", p.slot)
                                  : fromVector(p.standard.type, fmt::format("glintModelConstants[{}]", constants++), 0);
-    reads += fmt::format("  p.{} = {};\n", p.name, from);
+    reads += fmt::format("  p.{} = {};\n", memberName(model, p), from);
   }
   for (const std::string& name : model.prepared) {
     members += "  float " + name + ";\n";
@@ -89,20 +94,25 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
         {model.definesCoat, "vec3 coat(Shading s, Parameters p)"}, {model.definesThroughCoat, "vec3 throughCoat(Shading s, Parameters p)"},
         {model.definesEnvironment, "vec3 environment(Shading s, Parameters p)"}, {model.definesScattered, "vec3 scattered(Shading s, Parameters p)"}})
     if (defined) text += std::string(prototype) + ";\n";
+  const auto bounded = withBoundedLoops(model.source, "glintTurn()");
+  if (bounded) text += fmt::format("int glintTurns = 0;\nbool glintTurn() {{ return ++glintTurns > {}; }}\n", kMostTurns);
   text += fmt::format("#line {} {}\n", kModelLineBase + 1, sourceIndex);
-  text += model.source;
+  text += bounded ? *bounded : model.source;
   text += fmt::format("\n\n#line 1 {}\n", sourceIndex + 1);
   for (const std::string& macro : scanGlsl(model.source).macros) text += "#undef " + macro + "\n";
-  text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{\n{}#ifdef COMPENSATE\n"
+  text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{\n{}{}#ifdef COMPENSATE\n"
                       "  p.glintBounces = glintBouncesTowards(s);\n#endif\n}}\n",
-                      model.definesPrepare ? "  prepare(s, p);\n" : "");
+                      bounded ? "  glintTurns = 0;\n" : "", model.definesPrepare ? "  prepare(s, p);\n" : "");
   text += fmt::format("const bool modelHasD = {};\n", model.hasD());
-  text += fmt::format("float modelD(Shading s, Parameters p) {{ return {}; }}\n", model.hasD() ? "D(s, p)" : "0.0");
-  text += fmt::format("float modelV(Shading s, Parameters p) {{ return {}; }}\n", model.hasV() ? "V(s, p)" : "0.0");
-  text += fmt::format("vec3 modelF(Shading s, Parameters p) {{ return {}; }}\n", model.hasF() ? "F(s, p)" : "vec3(0.0)");
-  const auto vectorFunction = [&](std::string_view name, const std::string& body) {
-    text += fmt::format("vec3 {}(Shading s, Parameters p) {{ {} }}\n", name, body);
+  const auto function = [&](std::string_view type, std::string_view name, std::string body) {
+    if (const std::string_view value = body; bounded && value.starts_with("return "))
+      body = fmt::format("glintTurns = 0; {0} x = {1} return glintTurns > {2} ? {0}(uintBitsToFloat(0x7fc00000u)) : x;", type, value.substr(7), kMostTurns);
+    text += fmt::format("{} {}(Shading s, Parameters p) {{ {} }}\n", type, name, body);
   };
+  const auto vectorFunction = [&](std::string_view name, const std::string& body) { function("vec3", name, body); };
+  function("float", "modelD", model.hasD() ? "return D(s, p);" : "return 0.0;");
+  function("float", "modelV", model.hasV() ? "return V(s, p);" : "return 0.0;");
+  vectorFunction("modelF", model.hasF() ? "return F(s, p);" : "return vec3(0.0);");
   // The scalars first: D * V is one product before the colour comes in.
   vectorFunction("modelBase", model.definesSpecular ? "return specular(s, p);" : "return (D(s, p) * V(s, p)) * F(s, p);");
   vectorFunction("modelDiffuseBelow", "return diffuse(s, p);");
@@ -134,6 +144,9 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   text += fmt::format("const bool modelHasEnvironment = {}, modelScatters = {};\n", model.definesEnvironment, model.definesScattered);
   vectorFunction("modelEnvironment", model.definesEnvironment ? "return environment(s, p);" : "return vec3(0.0);");
   vectorFunction("modelScattered", model.definesScattered ? "return scattered(s, p);" : "return vec3(0.0);");
+  // BRDF Explorer draws what is negative as black, and plots it as it is.
+  vectorFunction("modelLit", model.isWhole() ? "return dot(s.N, s.L) > 0.0 ? max(modelSpecular(s, p), 0.0) : vec3(0.0);" : "return modelDiffuse(s, p) + modelSpecular(s, p);");
+  text += fmt::format("const bool modelReadsRoughness = {};\n{}", model.reads("roughness"), model.isWhole() ? "#define MODEL_IS_WHOLE\n" : "");
   return text;
 }
 

@@ -5,6 +5,8 @@
 
 #include "materials/base/files.h"
 #include "materials/base/hash.h"
+#include "materials/brdf_file.h"
+#include "materials/model_file.h"
 #include "materials/model_mix.h"
 #include "shaders/shipped_files.h"
 
@@ -13,13 +15,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kShippedFolder = "shaders/models";
-constexpr uintmax_t kLargestModelFile = 1 << 20;
 constexpr size_t kMostFiles = 1000;
 
 // Changes within one tick of the file system's clock keep time and size: a file this young is read again.
 constexpr auto kYoung = std::chrono::seconds(2);
 
 }  // namespace
+
+std::string unknownModelPlace(std::string_view id) { return fmt::format("model '{}'", id); }
 
 ModelRegistry::ModelRegistry(std::vector<fs::path> folders, std::vector<fs::path> files)
     : folders_(std::move(folders)), single_(std::move(files)) {
@@ -42,13 +45,13 @@ std::vector<fs::path> ModelRegistry::listFiles(Diagnostics& problems) const {
     std::vector<fs::path> found;
     for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
       std::error_code ignored;
-      if (entry->path().extension() == ".glsl" && entry->path().filename().string()[0] != '.' &&
+      if (isModelFile(entry->path()) && entry->path().filename().string()[0] != '.' &&
           entry->is_regular_file(ignored))
         found.push_back(entry->path());
     }
     // The configuration's own folder need not exist.
     if (code && !(folder == folders_.back() && code == std::errc::no_such_file_or_directory))
-      problems.push_back(error(folder.string(), "cannot be read: " + code.message(), "name a folder of .glsl files"));
+      problems.push_back(error(folder.string(), "cannot be read: " + code.message(), "name a folder of .glsl or .brdf files"));
     std::sort(found.begin(), found.end());
     if (found.size() > kMostFiles) {
       problems.push_back(error(folder.string(), fmt::format("holds {} models", found.size()),
@@ -71,10 +74,14 @@ bool ModelRegistry::readAgain(const fs::path& path, File& file) {
   const fs::file_time_type time = fs::last_write_time(path, code);
   const uintmax_t size = code ? 0 : fs::file_size(path, code);
   const bool embedded = static_cast<bool>(code) && shipped::read(path.string()).has_value();
-  if (file.read && !file.young && (embedded || (time == file.time && size == file.size))) return false;
+  std::error_code ignored;  // a file that is gone has the least of all times
+  const fs::file_time_type behindTime = file.behind.empty() ? fs::file_time_type::min() : fs::last_write_time(file.behind, ignored);
+  if (file.read && !file.young && (embedded || (time == file.time && size == file.size && behindTime == file.behindTime))) return false;
   file.time = time;
   file.size = size;
-  file.young = !embedded && fs::file_time_type::clock::now() - time < kYoung;
+  file.behindTime = behindTime;
+  const auto isYoung = [now = fs::file_time_type::clock::now()](fs::file_time_type t) { return now - t < kYoung; };
+  file.young = !embedded && (isYoung(time) || isYoung(behindTime));
   Result<std::string> text = embedded ? Result<std::string>(*shipped::read(path.string()))
                                       : readFile(path, kLargestModelFile);
   Diagnostics problems;
@@ -82,14 +89,20 @@ bool ModelRegistry::readAgain(const fs::path& path, File& file) {
     file.hash = 0;
     problems = text.diagnostics();
   } else {
-    const uint64_t hash = hashText(*text);
+    uint64_t hash = hashText(*text);
+    file.behind = fileBehind(path, *text);
+    if (!file.behind.empty()) {
+      file.behindTime = fs::last_write_time(file.behind, ignored);
+      if (const auto behind = readFile(file.behind, kLargestModelFile)) hash = hashText(*behind, hash);
+    }
     if (file.read && file.hash == hash) return false;
     file.hash = hash;
-    auto model = parseModel(path, *text);
+    Diagnostics warnings;
+    auto model = readModel(path, *text, warnings);
     if (model) {
       file.model = std::make_shared<const ShadingModel>(std::move(*model));
       file.read = true;
-      file.problems.clear();
+      file.problems = std::move(warnings);
       return true;
     }
     problems = model.diagnostics();
@@ -115,18 +128,21 @@ bool ModelRegistry::refresh() {
   for (const fs::path& path : order) changed |= readAgain(path, files_[path]);
 
   std::map<std::string, ModelPtr, std::less<>> models;
+  std::vector<ModelPtr> hidden;
   for (const fs::path& path : order) {
     const File& file = files_[path];
     problems.insert(problems.end(), file.problems.begin(), file.problems.end());
     if (!file.model) continue;
     const auto [found, fresh] = models.emplace(file.model->id, file.model);
-    if (!fresh)
-      problems.push_back(warning(path.string(),
-                                 fmt::format("its id '{}' is taken by {}, which is used", file.model->id, found->second->file.string()),
-                                 "give it an id of its own"));
+    if (fresh) continue;
+    hidden.push_back(file.model);
+    problems.push_back(warning(fmt::format("{}:{}", path.string(), file.model->idLine),
+                               fmt::format("its id '{}' is taken by {}, which is used", file.model->id, found->second->file.string()),
+                               path.extension() == ".glsl" ? "give it an id of its own" : "give the file another name: that is its id"));
   }
   changed |= problems != problems_;
   models_ = std::move(models);
+  hidden_ = std::move(hidden);
   problems_ = std::move(problems);
   return changed;
 }
@@ -158,8 +174,8 @@ Result<ModelPtr> ModelRegistry::get(std::string_view id) const {
   if (ModelPtr model = find(id)) return model;
   // A model may be unknown because its file is wrong: say so instead of offering another.
   for (const auto& [path, file] : files_)
-    if (!file.model && path.stem() == id && !file.problems.empty()) return file.problems;
-  return error("model '" + std::string(id) + "'", "unknown shading model", suggestion(std::string(id), ids()));
+    if (!file.model && (path.stem() == id || modelIdOfFile(path) == id) && !file.problems.empty()) return file.problems;
+  return error(unknownModelPlace(id), "unknown shading model", suggestion(std::string(id), ids()));
 }
 
 std::vector<ModelPtr> ModelRegistry::all() const {

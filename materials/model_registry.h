@@ -14,10 +14,13 @@ namespace glint {
 
 using ModelPtr = std::shared_ptr<const ShadingModel>;
 
+// Where get() says that nothing has that id, unlike faults of the file that should.
+std::string unknownModelPlace(std::string_view id);
+
 class ModelRegistry {
  public:
-  // Reads the shipped models, then each folder's *.glsl in order, the folder models/ of the user's configuration
-  // last. Hidden files are left out; a link is followed; files over 256 KiB are an error.
+  // Reads the shipped models, then each folder's files of models (model_file.h) in order, the folder models/ of the
+  // user's configuration last. Hidden files are left out; a link is followed; files over 256 KiB are an error.
   // Two files with one id: the first is used, the second is a warning that names both. Faults never stop the others:
   // see problems().
   // `files` are single plugins, whose folders are not looked at; they come before the folders'.
@@ -29,6 +32,8 @@ class ModelRegistry {
   Result<ModelPtr> get(std::string_view id) const;  // an unknown id names its nearest neighbour
   std::vector<ModelPtr> all() const;             // sorted by id
   std::vector<std::string> ids() const;
+  // Models that nothing can name, because another file has their id: never drawn, but there.
+  const std::vector<ModelPtr>& hidden() const { return hidden_; }
   // What is wrong with the files as they are now: errors, whose file has no model or keeps its last good one, and
   // warnings.
   const Diagnostics& problems() const { return problems_; }
@@ -44,6 +49,8 @@ class ModelRegistry {
     uint64_t hash = 0;
     bool read = false;
     bool young = false;     // changed so shortly before it was read that time and size cannot tell
+    std::filesystem::path behind;  // another file that the model is made of
+    std::filesystem::file_time_type behindTime = std::filesystem::file_time_type::min();
     ModelPtr model;         // last good one
     Diagnostics problems;   // of the text as it is now
   };
@@ -57,6 +64,7 @@ class ModelRegistry {
   std::vector<std::filesystem::path> folders_, single_;
   std::map<std::filesystem::path, File> files_;
   std::map<std::string, ModelPtr, std::less<>> models_;
+  std::vector<ModelPtr> hidden_;
   std::shared_ptr<Mixes> mixes_ = std::make_shared<Mixes>();  // by what was asked for
   Diagnostics problems_;
 };

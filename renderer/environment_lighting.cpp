@@ -23,7 +23,7 @@ uint64_t recipeHash() {
   static const uint64_t hash = [] {
     uint64_t h = kCacheVersion;
     for (const char* file : {"shaders/passes/prefilter.frag", "shaders/passes/lobe.frag", "shaders/passes/environment_brdf.frag", "shaders/passes/cube_from_equirect.frag",
-                             "shaders/common/shading.glsl"})
+                             "shaders/common/shading.glsl", "shaders/common/floor_light.glsl"})
       h = hashText(shipped::read(file).value_or(""), h);
     for (int level = 0; level < EnvironmentLighting::kLevels; ++level) {
       const int samples = EnvironmentLighting::levelSamples(level);
@@ -342,7 +342,9 @@ Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environmen
   }
   if (!cube) {
     std::array<int, kLevels> samples;
-    for (int level = 0; level < kLevels; ++level) samples[static_cast<size_t>(level)] = levelSamples(level);
+    constexpr int kOwnLobeSamples = 256;
+    for (int level = 0; level < kLevels; ++level)
+      samples[static_cast<size_t>(level)] = setting.shader->model->reads("roughness") ? levelSamples(level) : level == kOwnLobeLevel ? kOwnLobeSamples : 1;
     auto made = prefilter(environment, setting, samples, which);
     if (!made) return made.diagnostics();
     cube = std::move(*made);

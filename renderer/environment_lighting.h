@@ -39,6 +39,8 @@ class EnvironmentLighting {
   static constexpr int kSize = 256, kLevels = 6, kBrdfSize = 64;
   // The roughness whose lobe fills a level: inverse of (kLevels - 1) r (1.7 - 0.7 r) in lighting.frag.
   static float levelRoughness(int level);
+  // Where the one lobe of a model stands that does not read the roughness: with texels of 0.7 degrees.
+  static constexpr int kOwnLobeLevel = 1;
   // Directions drawn for each texel of a level at the standard quality: rough levels have few texels and can afford
   // many.
   static int levelSamples(int level);

@@ -88,7 +88,9 @@ class Batch {
     if (!made) throw Fault{made.diagnostics()[0].what, made.diagnostics()[0].hint};
     for (const auto& [name, value] : parameters)
       if (!(*made)->parameter(name)) throw Fault{fmt::format("'{}' has no parameter '{}'", id, name), ""};
-    models_.push_back({*made, parameters, compensate, {}, {}, {}, {}, {}});
+    std::map<std::string, double> own;  // by the names that Glint has for them
+    for (const auto& [name, value] : parameters) own[(*made)->parameter(name)->name] = value;
+    models_.push_back({*made, std::move(own), compensate, {}, {}, {}, {}, {}});
     return modelIndex_[key] = models_.size() - 1;
   }
 
@@ -100,6 +102,9 @@ class Batch {
       for (const glm::vec4& v : probe->evaluate(m.points)) m.pointValues.emplace_back(v);
     }
     if (!m.queries.empty()) {
+      // Integrals are made of thousands of values: not of a model that takes too long for one.
+      if (m.points.empty())
+        if (const auto probe = ModelProbe::ofModel(*m.model); !probe) return void(m.fault = probe.diagnostics()[0].text());
       auto integrals = ModelIntegrals::of(*m.model, {.compensate = m.compensate || m.model->compensate});
       if (!integrals) return void(m.fault = integrals.diagnostics()[0].text());
       for (const auto& [name, value] : m.parameters) integrals->set(name, Value::scalar(static_cast<float>(value)));

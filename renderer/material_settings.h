@@ -27,8 +27,8 @@ struct MaterialSources {
   CompileOptions compile = {};
 };
 
-// Compiles the material for `model` with the settings in force, and loads its textures. Attributes come before
-// the model's parameters, and those before the material's own, where names are shared. Errors: the graph's; a
+// Compiles the material for `model` with the settings in force, and loads its textures. The model's parameters and the
+// attributes come before the material's own parameters, where names are shared. Errors: the graph's; a
 // name that is none of the three (with the nearest) and a value that does not fit or is out of range, at the setting's
 // `from`, else at `place`. `problems` gets warnings, and errors of textures, which are drawn as missing.
 Result<SurfaceMaterial> surfaceWith(const Material&, const ModelPtr& model, std::span<const Setting>,

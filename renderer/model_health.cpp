@@ -54,12 +54,16 @@ std::vector<Pair> directionPairs() {
   return pairs;
 }
 
-std::vector<ProbePoint> probePoints() {
-  const std::vector<Pair> pairs = directionPairs();
+// Of what a model does not read one value is as good as all.
+std::vector<ProbePoint> probePoints(const ShadingModel& model) {
+  static const std::vector<Pair> pairs = directionPairs();
+  const bool colors = model.reads("baseColor") || model.reads("specular") || model.reads("metallic");
+  const std::vector<float> roughnesses = model.reads("roughness") ? std::vector{0.f, 0.02f, 0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.f} : std::vector{0.5f};
+  const std::vector<float> reflectances = colors ? std::vector{0.f, 0.04f, 1.f} : std::vector{0.04f};
   std::vector<ProbePoint> points;
   for (const bool light : {true, false})
-    for (const float roughness : {0.f, 0.02f, 0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.f})
-      for (const float F0 : {0.f, 0.04f, 1.f})
+    for (const float roughness : roughnesses)
+      for (const float F0 : reflectances)
         for (const Pair& pair : pairs) {
           ProbePoint p = ProbePoint::at(pair.light, pair.view);
           p.fromDirections = true;
@@ -84,10 +88,11 @@ class Examination {
     if (!integrals) return fails(integrals.diagnostics());
     result(Law::Compiles);
     hasD_ = model_.definesD || !model_.termD.empty();
+    points_ = probePoints(model_);
     values(*probe);
     if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
     energy(*integrals, kFineRoughness, kFineNoV);
-    mirror(*integrals);
+    if (!model_.isWhole()) mirror(*integrals);
     if (compensate_) {
       // The split sum stands for the single bounce; further ones are lit by the irradiance.
       const auto singleProbe = ModelProbe::ofModel(model_, false);
@@ -103,7 +108,7 @@ class Examination {
         value.v.fill(end);
         probe->set(p.name, value);
         integrals->set(p.name, value);
-        setting_ = fmt::format(", {} {}", p.name, end);
+        setting_ = fmt::format(", {} {}", p.fileName.empty() ? p.name : p.fileName, end);
         values(*probe);
         if (result(Law::Finite).verdict == Verdict::Red) return;
         energy(*integrals, kCoarseRoughness, kCoarseNoV);
@@ -132,32 +137,35 @@ class Examination {
   // A fault that the model has with its parameters at their defaults is not told again of their ends.
   bool told(const LawResult& law) const { return !setting_.empty() && law.verdict != Verdict::Green; }
 
+  std::string roughnessText(float roughness) const {
+    return model_.reads("roughness") ? fmt::format("roughness {:.3g}, ", roughness) : "";
+  }
   std::string at(const ProbePoint& p) const {
-    return fmt::format("roughness {:.3g}, NoL {:.4g}, NoV {:.4g}, F0 {:.2g}{}", p.roughness, p.light.z, p.view.z, p.F0.g, setting_);
+    return fmt::format("{}NoL {:.4g}, NoV {:.4g}{}{}", roughnessText(p.roughness), p.light.z, p.view.z,
+                       model_.isWhole() ? "" : fmt::format(", F0 {:.2g}", p.F0.g), setting_);
   }
   std::string at(const IntegralQuery& q) const {
-    return fmt::format("roughness {:.3g}, NoV {:.3g}{}{}", q.roughness, q.NoV, q.analyticLight ? "" : ", under an environment",
+    return fmt::format("{}NoV {:.3g}{}{}", roughnessText(q.roughness), q.NoV, q.analyticLight ? "" : ", under an environment",
                        setting_);
   }
 
   void values(const ModelProbe& probe) {
-    static const std::vector<ProbePoint> points = probePoints();
-    const std::vector<glm::vec4> out = probe.evaluate(points);
+    const std::vector<glm::vec4> out = probe.evaluate(points_);
     LawResult &finite = result(Law::Finite), &positive = result(Law::NonNegative);
     double worst = 0;
     size_t worstAt = 0;
-    for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t i = 0; i < points_.size(); ++i) {
       for (const glm::vec4& v : {out[2 * i], out[2 * i + 1]})
         for (int c = 0; c < 4; ++c) {
           if (!std::isfinite(v[c]) && finite.verdict == Verdict::Green) {
             finite.verdict = Verdict::Red;
-            finite.where = at(points[i]);
+            finite.where = at(points_[i]);
             finite.reason = "is not finite";
-            finite.hint = "guard a division, a root or a power";
+            finite.hint = "guard a division, a root or a power; a loop that does not end gives this too";
           } else if (v[c] < positive.value && !told(positive)) {
             positive.verdict = Verdict::Red;
             positive.value = v[c];
-            positive.where = at(points[i]);
+            positive.where = at(points_[i]);
             positive.reason = fmt::format("is negative, {:.4g}", v[c]);
             positive.hint = "light cannot be taken away: clamp the term that turns";
           }
@@ -177,7 +185,7 @@ class Examination {
     reciprocal.claimed = model_.claims.reciprocal;
     if (worst <= reciprocal.value || told(reciprocal)) return;
     reciprocal.value = worst;
-    reciprocal.where = at(points[worstAt]);
+    reciprocal.where = at(points_[worstAt]);
     if (worst <= kReciprocal) return;
     reciprocal.verdict = reciprocal.claimed ? Verdict::Red : Verdict::Amber;
     reciprocal.reason = fmt::format("is not reciprocal{}: swapping light and view changes it by {:.3g} %",
@@ -188,7 +196,7 @@ class Examination {
   void energy(const ModelIntegrals& integrals, const std::vector<float>& roughness, const std::vector<float>& NoV) {
     std::vector<IntegralQuery> queries;
     for (const bool light : {true, false})
-      for (const float r : roughness)
+      for (const float r : model_.reads("roughness") ? roughness : std::vector{0.5f})
         for (const float v : NoV) queries.push_back({r, v, light});
     const std::vector<ModelIntegral> sums = integrals.evaluate(queries);
     // A specular part that does not follow F0 is never white. Where light grazes Fresnel hides it: the last query does not.
@@ -206,8 +214,8 @@ class Examination {
         law.where = at(queries[i]);
         if (most <= 1 + kEnergy) continue;
         law.verdict = law.claimed ? Verdict::Red : Verdict::Amber;
-        law.reason = fmt::format("gains energy{}: the {} part reflects {:.4g} times what it receives",
-                                 law.claimed ? " against its claim" : "", part, most);
+        law.reason = fmt::format("gains energy{}: {} reflects {:.4g} times what it receives", law.claimed ? " against its claim" : "",
+                                 model_.isWhole() ? "it" : fmt::format("the {} part", part), most);
         law.hint = law.claimed ? "drop the claim or mend the formula" : "";
       }
     }
@@ -266,7 +274,7 @@ class Examination {
     const SplitSumError found = splitSumError(probe, integrals, own ? &*own : nullptr);
     LawResult& law = result(Law::Environment);
     law.value = found.rms;
-    law.where = fmt::format("worst {:.3g} at roughness {:.3g}, NoV {:.3g}", found.worst, found.roughness, found.NoV);
+    law.where = fmt::format("worst {:.3g} at {}NoV {:.3g}", found.worst, roughnessText(found.roughness), found.NoV);
   }
 
   void sampler(const ModelProbe& probe) {
@@ -275,7 +283,7 @@ class Examination {
     LawResult& law = result(Law::Sampler);
     const SamplerError found = samplerError(probe, *made);
     law.value = found.worst;
-    law.where = fmt::format("worst at roughness {:.3g}, NoV {:.3g}; {:.2g} % by the cosine", found.roughness, found.NoV, 100 * found.cosine);
+    law.where = fmt::format("worst at {}NoV {:.3g}; {:.2g} % by the cosine", roughnessText(found.roughness), found.NoV, 100 * found.cosine);
     if (made->fault().empty() || found.worst == 0) return;
     law.verdict = Verdict::Amber;
     law.reason = "its directions go by the cosine, which is slow: " + made->fault();
@@ -286,6 +294,7 @@ class Examination {
   bool compensate_;
   ModelHealth& card_;
   bool hasD_ = false;
+  std::vector<ProbePoint> points_;
   std::string setting_;  // ", gamma 4" while a parameter is not at its default
 };
 
@@ -324,7 +333,7 @@ const LawResult* ModelHealth::find(Law law) const {
 ModelHealth checkHealth(const ShadingModel& model, bool compensate) {
   const auto begin = std::chrono::steady_clock::now();
   ModelHealth card{.model = model.id, .file = model.file.string(), .laws = {}};
-  Examination(model, compensate || model.compensate, card).run();
+  Examination(model, (compensate || model.compensate) && !model.isWhole(), card).run();
   card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return card;
 }

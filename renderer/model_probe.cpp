@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/check.h"
+#include "renderer/model_speed.h"
 #include "shaders/shipped_files.h"
 
 namespace glint {
@@ -176,6 +177,8 @@ Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vec
   probe->setting_ = std::move(setting);
   probe->tables_ = std::make_unique<ModelTables>();
   if (Diagnostics faults = probe->tables_->apply(probe->setting_, probe->program_); !faults.empty()) return faults;
+  const auto fault = faultOfSpeed(model, [&](int count) { probe->evaluate(std::vector<ProbePoint>(static_cast<size_t>(count), ProbePoint::at({0.6, 0, 0.8}, {0, 0.6, 0.8}))); });
+  if (fault) return *fault;
   return probe;
 }
 

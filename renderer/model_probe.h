@@ -47,7 +47,8 @@ class ModelProbe {
   // Expressions are GLSL of type vec4 from `Shading s` and `vec4 a, b` of the point, with all terms at hand. One output:
   // the expression that the point chooses.
   static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
-  // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own lines.
+  // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own
+  // lines; a model that takes too long to be asked for many values.
   // With `compensate`, which is as the head asks when not given, the specular f has the lobe of further bounces in it
   // (renderer/model_tables.h).
   static Result<ModelProbe> ofModel(const ShadingModel&, std::optional<bool> compensate = {});
@@ -59,6 +60,7 @@ class ModelProbe {
   // Of every point its outputs in order.
   std::vector<glm::vec4> evaluate(std::span<const ProbePoint>) const;
   int outputs() const { return outputs_; }
+  const ShadingModel& model() const { return *setting_.shader->model; }  // of ofModel()
 
   // A parameter of the model, which has its default until then.
   void set(const std::string& parameter, const Value&);

@@ -1,7 +1,6 @@
 #include "renderer/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -11,6 +10,7 @@
 #include "renderer/device_textures.h"
 #include "renderer/environment_lighting.h"
 #include "renderer/frame_targets.h"
+#include "renderer/model_speed.h"
 #include "renderer/prepared_view.h"
 #include "renderer/program_cache.h"
 
@@ -122,22 +122,20 @@ struct Renderer::State {
     return verdict->second;
   }
 
-  // A model that would take hours is not drawn: a few values, the fastest of some tries, show it.
+  // A model that would take hours is not drawn: a few values show it.
   Diagnostics slowness(const ShadingModel& model, const gl::Program& lobe) {
-    constexpr double kMost = 0.002;  // seconds; sound models take less than a twentieth of it
-    const gl::Texture target = gl::createTexture2D(GL_R32F, 4, 4);
-    const GLuint color = target.id();
-    const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
-    double fastest = 1e9;
-    for (int attempt = 0; attempt < 8 && fastest > kMost; ++attempt) {
+    constexpr int kRows = 4, kFloorEvaluations = 121;  // modelFloor() of shaders/common/floor_light.glsl, and the value
+    const auto fault = faultOfSpeed(model, [&](int count) {
+      const gl::Texture target = gl::createTexture2D(GL_R32F, count / kRows, kRows);
+      const GLuint color = target.id();
+      const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
+      lobe.set("width", static_cast<float>(count / kRows));
+      lobe.set("roughnessCount", kRows);
+      lobe.set("azimuthCount", 1);
+      lighting.drawFullTarget(lobe, framebuffer.id(), count / kRows, kRows);
       glFinish();
-      const auto begin = std::chrono::steady_clock::now();
-      lighting.drawFullTarget(lobe, framebuffer.id(), 4, 4);
-      glFinish();
-      fastest = std::min(fastest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    }
-    if (fastest <= kMost) return {};
-    return {error(model.file.string(), fmt::format("takes {:.1f} ms for 16 values", 1000 * fastest), "a picture asks for millions: shorten its loops")};
+    }, model.isWhole() ? kFloorEvaluations : 1);
+    return fault ? Diagnostics{*fault} : Diagnostics{};
   }
 
   // The shader to draw a model with: its own when it compiles, else its last good version, else none.
@@ -218,7 +216,7 @@ struct Renderer::State {
     const auto sound = soundShaderOf(material.model);
     group.broken = !sound;
     group.setting = modelSetting(sound ? sound : shaderOf(material.model), material.modelParameters, material.compiled->plainNonmetal);
-    group.compensate = compensate || group.setting.shader->model->compensate;
+    group.compensate = (compensate || group.setting.shader->model->compensate) && !group.setting.shader->model->isWhole();  // it has no facets to bounce among
     group.key = group.setting.key() ^ (group.compensate ? 1 : 0);
     for (size_t i = 0; i < groups.size(); ++i)
       if (groups[i].key == group.key) return static_cast<int>(i);

@@ -1,7 +1,9 @@
 #include "renderer/split_sum_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "renderer/quadrature.h"
 
@@ -72,6 +74,17 @@ void addPoints(const glm::dvec3& view, float roughness, float F0, std::vector<Pr
   }
 }
 
+// The value that half of the light, by solid angle and cosine, comes back above: modelFloor() of
+// shaders/common/floor_light.glsl.
+double weightedMedian(std::vector<std::pair<double, double>> values) {
+  std::sort(values.begin(), values.end());
+  double sum = 0, whole = 0;
+  for (const auto& [value, weight] : values) whole += weight;
+  for (const auto& [value, weight] : values)
+    if ((sum += weight) >= 0.5 * whole) return value;
+  return 0;
+}
+
 }  // namespace
 
 SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integrals, const ModelProbe* environment) {
@@ -105,8 +118,18 @@ SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integ
   size_t block = 0, query = 0, reflection = 0;
   int count = 0;
   const auto specular = [&](size_t i) { return out[2 * i].g * directions[i].weight; };
+  // Of a whole model the base is lit as diffuse, and the lobe is what is above it.
+  const auto baseOf = [&](size_t at) {
+    std::vector<std::pair<double, double>> values;
+    if (!probe.model().isWhole()) return 0.0;
+    for (size_t i = at * size; i < (at + 1) * size; ++i) values.emplace_back(std::max(out[2 * i].g, 0.f), directions[i].weight);
+    return weightedMedian(std::move(values));
+  };
   for (const float roughness : kRoughness) {
     const size_t lobe = block++;
+    const double lobeBase = baseOf(lobe);
+    double irradiance = 0;
+    for (size_t i = lobe * size; i < (lobe + 1) * size; ++i) irradiance += directions[i].weight * radiance(directions[i].light);
     for (const float NoV : kNoV) {
       const glm::dvec3 reflected(-std::sqrt(1 - NoV * NoV), 0, NoV);
       // The lobe turned from the normal to the reflected view.
@@ -114,19 +137,21 @@ SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integ
       double filtered = 0, total = 0;
       for (size_t i = lobe * size; i < (lobe + 1) * size; ++i) {
         const glm::dvec3& l = directions[i].light;
-        filtered += specular(i) * radiance(l.x * across + l.y * side + l.z * reflected);
-        total += specular(i);
+        const double above = probe.model().isWhole() ? std::max(0.0, out[2 * i].g - lobeBase) * directions[i].weight : specular(i);
+        filtered += above * radiance(l.x * across + l.y * side + l.z * reflected);
+        total += above;
       }
       const ModelIntegral& table = tables[query++];
       for (const float F0 : kF0) {
         double exact = 0;
+        const double base = baseOf(block);
         for (size_t i = block * size; i < (block + 1) * size; ++i) exact += specular(i) * radiance(directions[i].light);
         ++block;
         const double B = table.specularBlack.g, A = table.specular.g - B;
-        const double reflectance = own.empty() ? F0 * A + B : own[reflection].g;
+        const double albedo = own.empty() ? F0 * A + B : own[reflection].g, diffuse = std::min(pi * base, albedo);
         ++reflection;
-        if (exact < 1e-6 || total <= 0) continue;
-        const double relative = filtered / total * reflectance / exact - 1;
+        if (exact < 1e-6 || (total <= 0 && base <= 0)) continue;
+        const double relative = ((total > 0 ? filtered / total : 0) * (albedo - diffuse) + irradiance / pi * diffuse) / exact - 1;
         squares += relative * relative;
         ++count;
         if (std::abs(relative) > std::abs(error.worst)) error = {0, relative, roughness, NoV};

@@ -9,6 +9,7 @@
 #include "app/standard_comparison.h"
 #include "materials/base/files.h"
 #include "materials/base/log.h"
+#include "materials/model_file.h"
 #include "renderer/image_io.h"
 
 namespace glint {
@@ -57,7 +58,7 @@ int run(const Arguments& arguments) {
   EditorOptions options{.modelFolders = arguments.modelFolders, .configFolder = configFolder()};
   // A plugin named here is used where it lies, so that what is written to it next is seen.
   for (const fs::path& file : files)
-    if (file.extension() == ".glsl") options.modelFiles.push_back(fs::absolute(file));
+    if (isModelFile(file)) options.modelFiles.push_back(fs::absolute(file));
   if (arguments.has("screenshot")) return takeScreenshot(arguments, files, std::move(options));
 
   const Session session = Session::read(options.configFolder / "editor.json");

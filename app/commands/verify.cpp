@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "materials/base/files.h"
 #include "materials/base/log.h"
+#include "materials/model_file.h"
 #include "materials/model_registry.h"
 #include "renderer/model_health.h"
 #include "renderer/sampler_error.h"
@@ -22,20 +24,26 @@ namespace fs = std::filesystem;
 // A model by its id, a mix, or a file that is one.
 Result<ModelPtr> find(const std::string& what, const ModelRegistry& registry) {
   std::error_code code;
-  if (!what.ends_with(".glsl") || !fs::exists(what, code)) return registry.get(what);
-  const auto text = readFile(what, size_t{1} << 20);
-  if (!text) return text.diagnostics();
-  auto model = parseModel(what, *text);
+  if (!isModelFile(what) || !fs::exists(what, code)) return registry.get(what);
+  Diagnostics warnings;
+  auto model = readModelFile(what, warnings);
+  log::report(warnings);
   if (!model) return model.diagnostics();
   return ModelPtr(std::make_shared<const ShadingModel>(std::move(*model)));
 }
 
-// The card of a file that never became a model.
+// The card of a file that never became a model: all that is wrong with it.
 ModelHealth unreadable(const std::string& what, const Diagnostics& faults) {
   ModelHealth card{.model = what, .file = what, .laws = {}};
-  card.laws.push_back({.law = Law::Compiles, .verdict = Verdict::Red, .where = faults[0].place, .reason = faults[0].what,
-                       .hint = faults[0].hint});
+  for (const Diagnostic& fault : faults)
+    card.laws.push_back({.law = Law::Compiles, .verdict = Verdict::Red, .where = fault.place, .reason = fault.what, .hint = fault.hint});
   return card;
+}
+
+// Whether it says that another file has a model's id.
+bool isHidden(const ModelRegistry& registry, const Diagnostic& fault) {
+  const auto& hidden = registry.hidden();
+  return std::any_of(hidden.begin(), hidden.end(), [&](const ModelPtr& model) { return fault.place == fmt::format("{}:{}", model->file.string(), model->idLine); });
 }
 
 ordered_json toJson(const ModelHealth& card) {
@@ -104,13 +112,16 @@ int run(const Arguments& arguments) {
   if (wanted.empty()) {
     wanted = registry.ids();
     // A file whose head is wrong has no id: it is red all the same.
+    std::map<std::string, Diagnostics> broken;  // by file
     for (const Diagnostic& fault : registry.problems())
-      if (fault.severity == Severity::Error) cards.push_back(unreadable(fault.place, {fault}));
+      if (fault.severity == Severity::Error || isHidden(registry, fault)) broken[fault.place.substr(0, fault.place.rfind(':'))].push_back(fault);
+      else log::report(fault);
+    for (const auto& [file, faults] : broken) cards.push_back(unreadable(file, faults));
   }
   for (const std::string& what : wanted) {
     const auto model = find(what, registry);
     if (model) cards.push_back(checkHealth(**model, arguments.has("compensate")));
-    else if (what.ends_with(".glsl") && fs::exists(what)) cards.push_back(unreadable(what, model.diagnostics()));
+    else if (isModelFile(what) && fs::exists(what)) cards.push_back(unreadable(what, model.diagnostics()));
     else unknown.insert(unknown.end(), model.diagnostics().begin(), model.diagnostics().end());
   }
   if (!unknown.empty()) return badInput(unknown);
@@ -134,7 +145,7 @@ const Command kVerifyCommand = {
     .summary = "The health card of models: finite, reciprocal, normalised, energy; exit 1 when a claim is broken",
     .options = {{"models", "ID or FILE", "models by id, mixes such as 'GGX*SmithGGX*Schlick', or files; all there are when left out", true},
                 {"--compensate", "", "with what bounces among facets more than once given back, as models whose head asks for it always are"}},
-    .examples = {"glint verify", "glint verify --compensate ggx", "glint verify burley ggx", "glint verify 'Blinn*SmithBeckmann*Schlick'", "glint verify my-model.glsl --json"},
+    .examples = {"glint verify", "glint verify --compensate ggx", "glint verify burley ggx", "glint verify 'Blinn*SmithBeckmann*Schlick'", "glint verify my-model.glsl theirs.brdf --json"},
     .run = run,
 };
 

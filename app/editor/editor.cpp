@@ -11,6 +11,7 @@
 #include "materials/base/files.h"
 #include "materials/material_json.h"
 #include "materials/material_library.h"
+#include "materials/model_file.h"
 #include "renderer/environment.h"
 #include "renderer/gl/gl.h"
 #include "renderer/mesh.h"
@@ -256,10 +257,10 @@ void Editor::openFile(const fs::path& file) {
     document_->setPreview("Environment " + name, preview);
   } else if (extension == ".png" || extension == ".jpg" || extension == ".jpeg") {
     addTexture(whole, std::nullopt);
-  } else if (extension == ".glsl" || extension == ".brdf") {
+  } else if (isModelFile("a" + extension)) {
     installModel(file);
   } else {
-    say(name + ": not a kind of file that Glint opens; it takes .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .glsl", true);
+    say(name + ": not a kind of file that Glint opens; it takes .json, .glb, .gltf, .hdr, .exr, .png, .jpg, .glsl and .brdf", true);
   }
 }
 
@@ -322,9 +323,8 @@ void Editor::addTexture(const fs::path& file, std::optional<Position> at) {
 }
 
 void Editor::installModel(const fs::path& file) {
-  const auto text = readFile(file, 1 << 20);
-  if (!text) return say(text.diagnostics().front().text(), true);
-  auto model = parseModel(file, text.value());
+  Diagnostics warnings;
+  auto model = readModelFile(file, warnings);
   if (!model) return say(model.diagnostics().front().text(), true);
   const auto compare = [&] {
     Preview preview = document_->preview();
@@ -338,14 +338,22 @@ void Editor::installModel(const fs::path& file) {
     return say("Comparing " + model->id + ", from " + file.string());
   }
   if (options_.configFolder.empty()) return say("this editor has no folder for models; start it with --models-dir", true);
-  const fs::path target = options_.configFolder / "models" / file.filename();
+  const fs::path folder = options_.configFolder / "models", target = folder / file.filename();
   std::error_code problem;
-  fs::create_directories(target.parent_path(), problem);
-  const Diagnostics problems = writeFileAtomic(target, text.value());
-  if (!problems.empty()) return say(problems.front().text(), true);
+  fs::create_directories(folder, problem);
+  std::vector<fs::path> files = {file};
+  if (!model->sourceFile.empty()) files.insert(files.begin(), model->sourceFile);
+  for (const fs::path& source : files) {
+    const auto text = readFile(source, kLargestModelFile);
+    if (!text) return say(text.diagnostics().front().text(), true);
+    const fs::path copy = folder / fs::relative(source, fs::absolute(file, problem).parent_path(), problem);
+    fs::create_directories(copy.parent_path(), problem);
+    const Diagnostics problems = writeFileAtomic(copy, text.value());
+    if (!problems.empty()) return say(problems.front().text(), true);
+  }
   if (models_->refresh()) ++modelsRevision_;
   compare();
-  say("Installed model " + model->id + " to " + target.string());
+  say(warnings.empty() ? "Installed model " + model->id + " to " + target.string() : warnings.front().text(), !warnings.empty());
 }
 
 void Editor::browse(FileBrowser::Request request) { files_.open(std::move(request)); }

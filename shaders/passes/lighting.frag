@@ -25,6 +25,8 @@ layout(binding = 8) uniform samplerBuffer tileLights;
 
 #ifdef ENVIRONMENT
 layout(binding = 6) uniform samplerCube prefilteredEnvironment;
+// Where the one lobe of a model stands that does not read the roughness: EnvironmentLighting::kOwnLobeLevel.
+const float kOwnLobeLevel = 1.0;
 layout(binding = 7) uniform sampler2D environmentBrdf;  // x: NoV, y: roughness
 layout(std140, binding = 3) uniform EnvironmentData { vec4 irradiance[9]; };  // spherical harmonics of E / pi
 
@@ -119,7 +121,7 @@ void main() {
   for (int i = 0; i < view.directionalCount; ++i) {
     vec3 L = directional[i].direction.xyz;
     setLight(s, L);
-    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
+    radiance += modelLit(s, p) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
     if (modelScatters) radiance += modelScattered(s, p) * directional[i].radiance.rgb;
   }
 #ifdef POINT_LIGHTS
@@ -132,14 +134,14 @@ void main() {
     vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
     float falloff = windowedFalloff(distance2, lightPosition.w);
     setLight(s, L);
-    radiance += (modelDiffuse(s, p) + modelSpecular(s, p)) * (intensity * (falloff * max(dot(N, L), 0.0)));
+    radiance += modelLit(s, p) * (intensity * (falloff * max(dot(N, L), 0.0)));
     if (modelScatters) radiance += modelScattered(s, p) * (intensity * falloff);
   }
 #endif
 #ifdef ENVIRONMENT
   // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables.
   s.analyticLight = false;
-  float NoV = clamp(dot(N, V), 0.0, 1.0), level = levelOf(surface.roughness);
+  float NoV = clamp(dot(N, V), 0.0, 1.0), level = modelReadsRoughness ? levelOf(surface.roughness) : kOwnLobeLevel;
   EnvironmentBrdf brdf = environmentBrdfAt(NoV, surface.roughness);
   vec3 R = 2.0 * dot(N, V) * N - V;
 #ifdef MODEL_TANGENT
@@ -149,7 +151,12 @@ void main() {
 #endif
   vec3 reflected = modelHasEnvironment ? modelEnvironment(s, p) : s.F0 * brdf.scale + brdf.bias;
   vec3 diffuseLight = diffuseIrradiance(environmentFromWorld(N));
-  vec3 light = specularLight * max(reflected, 0.0) + diffuseLight * s.diffuseColor * brdf.diffuse;
+#ifdef MODEL_IS_WHOLE
+  vec3 diffuseColor = vec3(1.0);  // its own is in the table
+#else
+  vec3 diffuseColor = s.diffuseColor;
+#endif
+  vec3 light = specularLight * max(reflected, 0.0) + diffuseLight * diffuseColor * brdf.diffuse;
 #ifdef MODEL_COAT
   setLight(s, R);
   float coatRoughness = clamp(modelCoatRoughness(p), 0.0, 1.0);

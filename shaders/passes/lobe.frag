@@ -2,9 +2,10 @@
 // The lobe of a model seen from the normal, over the angle of the light: what the prefiltered environment averages
 // with. x: angle, theta = pi/2 u^2 over the row; y: roughness, and for models that use the tangent the azimuth, from
 // the tangent on through half a turn, all roughnesses for each. A model with a D has Karis' kernel D NoL (2013,
-// PrefilterEnvMap); one without, its own f NoL.
+// PrefilterEnvMap); one without, its own f NoL, a whole one what is above its floor.
 #include "shaders/common/shading.glsl"
 #pragma glint model
+#include "shaders/common/floor_light.glsl"
 layout(location = 0) flat in ivec2 inLights;
 layout(location = 0) out vec4 outColor;
 uniform float width;
@@ -34,10 +35,20 @@ void main() {
   s.plainNonmetal = plainNonmetal;
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
-  setDirections(s, vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), vec3(sin(theta) * cos(azimuth), sin(theta) * sin(azimuth), cos(theta)));
+#ifdef MODEL_IS_WHOLE
+  // Next to the normal: on it the azimuth of the view, which some divide by, has no value.
+  vec3 V = vec3(0.0, 0.01, 0.99995);
+#else
+  vec3 V = vec3(0.0, 0.0, 1.0);
+#endif
+  setDirections(s, vec3(0.0, 0.0, 1.0), V, vec3(sin(theta) * cos(azimuth), sin(theta) * sin(azimuth), cos(theta)));
   Parameters p = modelParameters(standardParameters);
   modelPrepare(s, p);
-  float kernel = (useD ? modelD(s, p) : dot(modelLobe(s, p), vec3(1.0 / 3.0))) * cos(theta);
+  vec3 f = useD ? vec3(modelD(s, p)) : modelLobe(s, p);
+#ifdef MODEL_IS_WHOLE
+  f -= min(modelFloor(s, p), f);
+#endif
+  float kernel = dot(f, vec3(1.0 / 3.0)) * cos(theta);
   // Less than nothing says that it was not finite.
   outColor = vec4(abs(kernel) < 1e30 ? max(kernel, 0.0) : -1.0);
 }

@@ -77,7 +77,7 @@ TEST(ModelsCommand, ATakenIdIsSaid) {
     const auto ran = glint(all);
     EXPECT_EQ(ran.code, 0) << ran.err;
     ASSERT_EQ(ran.errorLines().size(), 1u) << ran.err;
-    EXPECT_EQ(ran.err.rfind("glint: warning: mine/other.glsl: its id 'ggx' is taken by ", 0), 0u) << ran.err;
+    EXPECT_EQ(ran.err.rfind("glint: warning: mine/other.glsl:1: its id 'ggx' is taken by ", 0), 0u) << ran.err;
     EXPECT_THAT(ran.err, HasSubstr("shaders/models/ggx.glsl, which is used"));
   }
   EXPECT_EQ(glint({"models", "--models-dir", "mine"}).code, 1);
@@ -143,6 +143,67 @@ TEST(VerifyCommand, BadInput) {
   const auto ran = glint({"verify", "--models-dir", "mine"});
   EXPECT_EQ(ran.code, 1);
   EXPECT_THAT(ran.out, HasSubstr("mine/broken.glsl:2"));
+}
+
+const char* const kShiny = "analytic\n::begin parameters\nfloat roughness 0.05 1 0.2\nfloat level 0 1 0.5\n::end parameters\n::begin shader\n"
+                           "vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)\n{\n"
+                           "  return vec3(level * exp((dot(N, normalize(L + V)) - 1) / (roughness * roughness)));\n}\n::end shader\n";
+
+TEST(BrdfFiles, ArePluginsAsTheyAre) {
+  write("mine/shiny.brdf", kShiny);
+  write("mine/dull.bparam", "bparam /home/somebody/shiny.brdf\n::begin parameters\nfloat roughness 0 1 0.8\n::end parameters\n");
+  const auto listed = glint({"models", "--models-dir", "mine"});
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_THAT(listed.out, testing::AllOf(HasSubstr("mine/shiny.brdf"), HasSubstr("ownRoughness 0.2 (0.05..1)"), HasSubstr("ownRoughness 0.8 (0.05..1)"), HasSubstr("level 0.5 (0..1)")));
+  const auto verified = glint({"verify", "mine/shiny.brdf", "dull", "--models-dir", "mine", "--json"});
+  EXPECT_EQ(verified.code, 0) << verified.out;
+  EXPECT_EQ(verified.json()["models"][0]["model"], "shiny");
+  const std::vector<std::string> rest = {"--models-dir", "mine", "--size", "24x24", "--quiet"};
+  const auto render = [&](const std::string& model, const std::string& set, const std::string& out) {
+    std::vector<std::string> words = {"render", "--model", model, "--set", set, "-o", out};
+    words.insert(words.end(), rest.begin(), rest.end());
+    const auto ran = glint(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+  };
+  // By the file's own name or Glint's, from either option; the attribute of that name does not reach it.
+  render("shiny:roughness=0.8", "level=0.5", "a.png");
+  render("shiny", "roughness=0.8", "b.png");
+  render("shiny:ownRoughness=0.8", "metallic=1", "c.png");
+  render("dull", "baseColor=0.1/0.2/0.3", "d.png");
+  render("shiny", "level=0.5", "e.png");
+  for (const char* same : {"b.png", "c.png", "d.png"}) EXPECT_EQ(glint({"diff", "a.png", same, "--fail-above", "0.001"}).code, 0) << same;
+  EXPECT_EQ(glint({"diff", "a.png", "e.png", "--fail-above", "0.001"}).code, 1);
+  const auto swept = glint({"compare", "--models-dir", "mine", "--models", "ggx,shiny", "--sweep", "roughness=0.1..1:2", "--cell", "16", "-o", "sheet.png"});
+  EXPECT_EQ(swept.code, 0) << swept.err;
+  EXPECT_BAD_INPUT(glint({"render", "--models-dir", "mine", "--model", "shiny:roughness=2", "-o", "f.png"}), "--model", "ownRoughness 2 is out of range");
+}
+
+TEST(BrdfFiles, WhatIsWrongIsRedAndNamed) {
+  write("mine/open.brdf", std::string(kShiny).substr(0, std::string(kShiny).rfind("::end")));
+  write("mine/ggx.brdf", kShiny);
+  write("mine/good.brdf", kShiny);
+  write("mine/faulty.brdf", "analytic\n::begin parameters\nfloat sample 0 1 0\nfloat b 0 1 7\n::end parameters\n::begin shader\n" + std::string(kShiny).substr(107));
+  write("mine/typo.brdf", "analytic\n::begin shader\nvec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)\n{\n  # no code\n  return vec3(nothing);\n}\n::end shader\n");
+  const auto models = glint({"models", "--models-dir", "mine"});
+  EXPECT_EQ(models.code, 1);
+  for (const char* expected : {"mine/open.brdf:6: section 'shader' is never closed", "mine/ggx.brdf:1: its id 'ggx' is taken by", "mine/faulty.brdf:3: parameter 'sample': the name is a reserved word",
+                               "mine/faulty.brdf:4: parameter 'b': the default 7 is outside 0..1", "mine/typo.brdf:6: `nothing' undeclared"})
+    EXPECT_THAT(models.err, HasSubstr(expected));
+  EXPECT_THAT(models.out, HasSubstr("mine/good.brdf"));
+  const auto verify = glint({"verify", "mine/open.brdf", "mine/faulty.brdf", "mine/typo.brdf", "mine/good.brdf", "--json"});
+  EXPECT_EQ(verify.code, 1);
+  const auto cards = verify.json()["models"];
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(cards[i]["verdict"], "red") << cards[i];
+  EXPECT_EQ(cards[1]["laws"].size(), 2u) << "both faults are told";
+  EXPECT_NE(cards[3]["verdict"], "red") << cards[3];
+  const auto open = glint({"render", "--models-dir", "mine", "--model", "open", "-o", "open.png"});
+  EXPECT_EQ(open.code, 2);
+  EXPECT_THAT(open.err, HasSubstr("glint: error: mine/open.brdf:6: section 'shader' is never closed"));
+  EXPECT_EQ(glint({"render", "--models-dir", "mine", "--model", "good", "--size", "8x8", "-o", "out.png"}).code, 0);
+  const auto typo = glint({"render", "--models-dir", "mine", "--model", "typo", "--size", "8x8", "-o", "typo.png"});
+  EXPECT_EQ(typo.code, 2);
+  EXPECT_THAT(typo.err, HasSubstr("mine/typo.brdf:6: `nothing' undeclared"));
 }
 
 TEST(NewModelCommand, WritesOneThatWorks) {

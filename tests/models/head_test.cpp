@@ -167,7 +167,7 @@ TEST(ModelHead, TextThatReachesOut) {
 TEST(ModelHead, WordsThatAreNotForPlugins) {
   EXPECT_EQ(faults(plugin("", "float f(float x) {\n  if (x < 0.0) discard;\n  return gl_FragCoord.x + gl_FragCoord.y;\n}")),
             "m.glsl:6: 'discard' is not for a plugin; a model has no pixel to drop: return vec3(0.0), or use the opacityMask of a material\n"
-            "m.glsl:7: 'gl_FragCoord' is not for a plugin; a model is evaluated for one pair of directions: all it has is in Shading and Parameters\n");
+            "m.glsl:7: 'gl_FragCoord' is not for a plugin; a model is evaluated for one pair of directions: all it has is what it is called with\n");
   EXPECT_THAT(faults(plugin("", "float f(float x) { return dFdx(x); }")), HasSubstr("m.glsl:5: 'dFdx' is not for a plugin"));
   EXPECT_THAT(faults(plugin("", "\n#define HERE gl_FragCoord\n")), HasSubstr("m.glsl:6: 'gl_FragCoord' is not for a plugin"));
   EXPECT_THAT(faults(plugin("", "in vec3 a;")), HasSubstr("m.glsl:5: 'in' is not for a plugin"));

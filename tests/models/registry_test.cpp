@@ -129,6 +129,45 @@ TEST_F(Registry, ASingleFileIsReadAlone) {
   EXPECT_THAT(twice.problems()[0].place, HasSubstr("neighbour"));
 }
 
+// Files of BRDF Explorer come, change and go as plugins do; a .bparam changes with the file that it names.
+TEST_F(Registry, BrdfFiles) {
+  const auto brdf = [](const std::string& standard) {
+    return "analytic\n::begin parameters\nfloat n 0 10 " + standard + "\nfloat m 0 10 " + standard + "\n::end parameters\n::begin shader\nvec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(n); }\n::end shader\n";
+  };
+  write("a/mine.brdf", brdf("1"));
+  write("a/set.bparam", "bparam mine.brdf\n::begin parameters\nfloat n 0 10 5\n::end parameters\n");
+  ModelRegistry models = registry();
+  ASSERT_TRUE(models.problems().empty()) << models.problems()[0].text();
+  EXPECT_EQ(models.find("mine")->parameter("n")->standard.v[0], 1);
+  EXPECT_EQ(models.find("set")->parameter("n")->standard.v[0], 5);
+  EXPECT_FALSE(models.refresh());
+  write("a/mine.brdf", brdf("2"));
+  EXPECT_TRUE(models.refresh());
+  EXPECT_EQ(models.find("mine")->parameter("m")->standard.v[0], 2);
+  EXPECT_EQ(models.find("set")->parameter("m")->standard.v[0], 2);
+  EXPECT_EQ(models.find("set")->parameter("n")->standard.v[0], 5);
+  EXPECT_FALSE(models.refresh());
+
+  write("a/mine.brdf", brdf("x"));
+  EXPECT_TRUE(models.refresh());
+  EXPECT_EQ(models.find("mine")->parameter("m")->standard.v[0], 2) << "the last good version stays";
+  ASSERT_FALSE(models.problems().empty());
+  EXPECT_THAT(models.problems()[0].text(), HasSubstr("a/mine.brdf:3: parameter 'n': 'x' is not a number"));
+  write("a/mine.brdf", brdf("3"));
+  EXPECT_TRUE(models.refresh());
+  EXPECT_EQ(models.find("set")->parameter("m")->standard.v[0], 3);
+
+  write("b/mine.brdf", brdf("4"));
+  write("b/odd.brdf", brdf("4") + "::begin extra\n::end extra\n");
+  EXPECT_TRUE(models.refresh());
+  std::string all;
+  for (const Diagnostic& p : models.problems()) all += p.text() + "\n";
+  EXPECT_THAT(all, HasSubstr("b/mine.brdf:1: its id 'mine' is taken by"));
+  EXPECT_THAT(all, HasSubstr("unknown section 'extra'"));
+  ASSERT_EQ(models.hidden().size(), 1u);
+  EXPECT_NE(models.find("odd"), nullptr);
+}
+
 TEST_F(Registry, FaultsDoNotStopTheOthers) {
   write("a/bad.glsl", "no head");
   write("a/huge.glsl", std::string(2 << 20, ' '));

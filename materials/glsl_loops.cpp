@@ -1,0 +1,86 @@
+#include "materials/glsl_loops.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace glint {
+namespace {
+
+bool isNameChar(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Copies the text and puts `if (ends) break; else` before the statement of each loop: after a word `do`, and after the
+// brackets that follow `for` and `while`, but for the `while` that ends a `do`.
+class Bounder {
+ public:
+  Bounder(std::string_view text, std::string_view ends) : text_(text), stop_(" if (" + std::string(ends) + ") break; else ") {}
+
+  std::optional<std::string> run() {
+    while (at_ < text_.size()) step();
+    if (!found_) return std::nullopt;
+    return std::move(out_);
+  }
+
+ private:
+  void copyTo(size_t end) {
+    end = std::min(end, text_.size());
+    out_.append(text_, at_, end - at_);
+    at_ = end;
+  }
+
+  void step() {
+    const char c = text_[at_];
+    if (text_.substr(at_, 2) == "//") return copyTo(text_.find('\n', at_));
+    if (text_.substr(at_, 2) == "/*") {
+      const size_t end = text_.find("*/", at_ + 2);
+      return copyTo(end == text_.npos ? end : end + 2);
+    }
+    if (std::isspace(static_cast<unsigned char>(c))) return copyTo(at_ + 1);
+    size_t end = at_ + 1;
+    if (isNameChar(c))
+      while (end < text_.size() && isNameChar(text_[end])) ++end;
+    const std::string_view word = text_.substr(at_, end - at_);
+    copyTo(end);
+    take(word);
+    previous_ = word;
+  }
+
+  void take(std::string_view word) {
+    if (word == "{") ++depth_;
+    if (word == "}") --depth_;
+    if (word == "do") {
+      does_.push_back(depth_);
+      stop();
+    } else if (word == "while" && !does_.empty() && does_.back() == depth_ && (previous_ == "}" || previous_ == ";")) {
+      does_.pop_back();  // of this `do`
+    } else if (word == "for" || word == "while") {
+      headers_.push_back(brackets_);
+    } else if (word == "(") {
+      ++brackets_;
+    } else if (word == ")") {
+      --brackets_;
+      if (!headers_.empty() && headers_.back() == brackets_) {
+        headers_.pop_back();
+        stop();
+      }
+    }
+  }
+
+  void stop() {
+    out_ += stop_;
+    found_ = true;
+  }
+
+  std::string_view text_, previous_;
+  std::string stop_, out_;
+  size_t at_ = 0;
+  int depth_ = 0, brackets_ = 0;
+  std::vector<int> does_, headers_;  // how many braces, or brackets, were open before each
+  bool found_ = false;
+};
+
+}  // namespace
+
+std::optional<std::string> withBoundedLoops(std::string_view text, std::string_view ends) { return Bounder(text, ends).run(); }
+
+}  // namespace glint

@@ -1,0 +1,15 @@
+// Loops that end, whatever their conditions: a plugin's `while (true)` would hold up the device, and on some never
+// give it back.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+// The same lines with the condition `ends` asked at the start of each turn of every loop, which it breaks when true.
+// Nothing when the text has no loop. The condition must stay true once it was.
+std::optional<std::string> withBoundedLoops(std::string_view text, std::string_view ends);
+
+}  // namespace glint
