@@ -18,9 +18,11 @@ uint64_t requestHash(const ShaderText& text, uint64_t seed) {
 Result<const gl::Program*> ProgramCache::get(const ShaderText& vertex, const ShaderText& fragment) {
   const uint64_t key = requestHash(fragment, requestHash(vertex, 0));
   const Result<gl::Program>* found = programs_.find(key);
-  if (!found)
+  if (!found) {
     found = &programs_.put(key, gl::buildProgram(fragment.path, {{GL_VERTEX_SHADER, assembleShader(vertex)},
                                                                  {GL_FRAGMENT_SHADER, assembleShader(fragment)}}));
+    ++built_;
+  }
   if (!*found) return found->diagnostics();
   return &**found;
 }

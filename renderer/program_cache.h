@@ -21,10 +21,13 @@ class ProgramCache {
   void forgetUnused() { programs_.nextFrame(kSpare); }
   // Drops every program: shipped files are read again, and memory is given back.
   void forget() { programs_.clear(); }
+  // How many were built so far, for measurements.
+  int built() const { return built_; }
 
  private:
   static constexpr size_t kSpare = 64;  // of about 2 MB each where they are compiled for the processor
   RecentlyUsed<Result<gl::Program>> programs_;
+  int built_ = 0;
 };
 
 }  // namespace glint

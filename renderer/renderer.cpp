@@ -4,7 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <map>
+#include <utility>
 
 #include "materials/base/hash.h"
 #include "renderer/device_textures.h"
@@ -13,6 +15,7 @@
 #include "renderer/model_speed.h"
 #include "renderer/prepared_view.h"
 #include "renderer/program_cache.h"
+#include "shaders/shipped_files.h"
 
 namespace glint {
 namespace {
@@ -153,10 +156,28 @@ struct Renderer::State {
 
   static ShaderText tileVertex() { return {"shaders/passes/tiles.vert", {}, {}}; }
 
-  void forgetPrograms() {
+  void reloadModels() {
+    std::erase_if(shaders, [](const auto& entry) { return entry.second->model.use_count() == 1; });
+    std::erase_if(verdicts, [](const auto& entry) { return !entry.second.empty(); });
+    const uint64_t now = shippedShaders();
+    if (std::exchange(shippedHash, now) == now) return;
     programs.forget();
     shaders.clear();
     verdicts.clear();
+  }
+
+  // Of the shaders that programs include by their path, as they lie on disk: which, how long, and written when.
+  static uint64_t shippedShaders() {
+    uint64_t hash = 0;
+    for (const char* folder : {"shaders/common", "shaders/passes", "shaders/terms"})
+      for (const char* extension : {".glsl", ".vert", ".frag"})
+        for (const std::string& path : shipped::list(folder, extension)) {
+          std::error_code gone;
+          const std::filesystem::path file = shipped::onDisk(path);
+          hash = hashText(fmt::format("{} {} {}", path, std::filesystem::file_size(file, gone),
+                                      std::filesystem::last_write_time(file, gone).time_since_epoch().count()), hash);
+        }
+    return hash;
   }
 
   // -- Preparation -------------------------------------------------------------------------------------------------
@@ -628,6 +649,7 @@ struct Renderer::State {
   RenderSettings lastSettings;
   Diagnostics problems;
   Statistics statistics;
+  uint64_t shippedHash = shippedShaders();    // when programs were last known to be made from them
   std::map<const ShadingModel*, std::shared_ptr<const ModelShader>> shaders;
   std::map<uint64_t, Diagnostics> verdicts;   // by the hash of a model's GLSL
   std::map<std::string, std::shared_ptr<const ModelShader>> lastGood;
@@ -720,6 +742,8 @@ void Renderer::relight() {
 
 Diagnostics Renderer::check(const std::shared_ptr<const ShadingModel>& model) { return state_->verdictOn(*state_->shaderOf(model)); }
 
-void Renderer::invalidateModels() { state_->forgetPrograms(); }
+void Renderer::reloadModels() { state_->reloadModels(); }
+
+int Renderer::programsBuilt() const { return state_->programs.built(); }
 
 }  // namespace glint

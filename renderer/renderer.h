@@ -83,9 +83,12 @@ class Renderer {
   // What a compiler says of a model's GLSL, drawn or not; remembered. Errors are at the plugin's own lines.
   Diagnostics check(const std::shared_ptr<const ShadingModel>&);
 
-  // Forgets what was concluded about plugins, so that shipped terms that changed are read again. Plugins that the
-  // registry read anew need no call: they are other objects.
-  void invalidateModels();
+  // After plugins changed: lets go of those that nobody holds any more, and looks again at those with faults. Programs
+  // stay, as they are kept by their text; all are dropped only when a shipped shader on disk is not what it was.
+  void reloadModels();
+
+  // How many programs this renderer has built so far.
+  int programsBuilt() const;
 
   // Repeats the lighting of the last drawToTexture() or one-sample picture() on its G-buffer and waits for it: what
   // the shading models alone cost.

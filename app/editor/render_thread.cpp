@@ -168,7 +168,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   const auto start = Clock::now();
   current_ = request;
   if (modelsRevision_ != request.modelsRevision) {
-    renderer.invalidateModels();
+    renderer.reloadModels();
     modelsRevision_ = request.modelsRevision;
     unchecked_ = request.models;
     last_.modelProblems.clear();

@@ -7,7 +7,10 @@
 
 #include "renderer/environment_lighting.h"
 #include "renderer/renderer.h"
+#include "shaders/shipped_files.h"
+#include "tests/support/program.h"
 #include "tests/support/simple_scene.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
@@ -317,6 +320,58 @@ TEST_F(RendererTest, ReloadedModelsLeaveNothingBehind) {
     own.picture(std::span(&view, 1), {16, 16}, {});
   }
   EXPECT_LE(own.environmentLighting().cubes(), 10u);
+}
+
+// Who edits a pass while the editor runs sees it at the next reload.
+TEST_F(RendererTest, AShippedShaderThatChangedIsReadAgain) {
+  const test::TempFolder folder;
+  std::filesystem::create_directories(folder / "shaders");
+  for (const char* part : {"common", "passes", "terms"})
+    std::filesystem::copy(shipped::onDisk("shaders/terms/d.glsl").parent_path().parent_path() / part, folder / "shaders" / part);
+  const testing_support::WithVariable data("GLINT_DATA_DIR", folder.path().string());
+  Renderer own(*context);
+  const Scene scene = sphereScene("ggx", {});
+  const View view{&scene, orthographic(), {0, 0, 16, 16}};
+  own.picture(std::span(&view, 1), {16, 16}, {});
+  const int first = own.programsBuilt();
+  std::ofstream(folder / "shaders/passes/lighting.frag", std::ios::app) << "// changed\n";
+  own.reloadModels();
+  own.picture(std::span(&view, 1), {16, 16}, {});
+  EXPECT_GT(own.programsBuilt(), first);
+}
+
+// A change to one plugin compiles what that plugin is in, and nothing else that is drawn.
+TEST_F(RendererTest, AReloadedModelCompilesAlone) {
+  Renderer own(*context);
+  Scene scene;
+  scene.environment = test::uniformEnvironment(1);
+  const auto plugin = [](int version) {
+    auto model = parseModel("m.glsl", "/*glint {\"id\": \"m\", \"terms\": {\"D\": \"GGX\", \"V\": \"Implicit\", \"F\": \"None\"}} */\n"
+                                      "vec3 diffuse(Shading s, Parameters p) { return vec3(0.3" + std::to_string(version) + "); }\n");
+    EXPECT_TRUE(model);
+    return test::material(std::make_shared<const ShadingModel>(std::move(*model)), {});
+  };
+  for (const char* id : {"ggx", "burley", "cook-torrance"}) scene.materials.push_back(test::material(models->find(id), {}));
+  scene.materials.push_back(plugin(1));
+  for (int i = 0; i < 4; ++i) scene.instances.push_back({sphere, glm::translate(glm::mat4(1), glm::vec3(i - 1.5f, 0, 0)), i});
+  const View view{&scene, orthographic(), {0, 0, 32, 32}};
+  const auto built = [&] {
+    const int before = own.programsBuilt();
+    own.picture(std::span(&view, 1), {32, 32}, {});
+    return own.programsBuilt() - before;
+  };
+  const int all = built();
+  EXPECT_EQ(built(), 0);
+  own.reloadModels();
+  EXPECT_EQ(built(), 0) << "the same files";
+  scene.materials[3] = plugin(2);
+  own.reloadModels();
+  const int one = built();
+  EXPECT_GT(one, 0);
+  EXPECT_LE(one * 3, all);
+  scene.materials[3] = plugin(1);
+  own.reloadModels();
+  EXPECT_EQ(built(), 0) << "undone: remembered";
 }
 
 }  // namespace
