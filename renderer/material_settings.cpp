@@ -45,6 +45,9 @@ bool takesSetting(const Material& material, const ShadingModel& model, const std
 Result<SurfaceMaterial> surfaceWith(const Material& material, const ModelPtr& model, std::span<const Setting> settings,
                                     const std::string& place, const MaterialSources& sources, Diagnostics& problems) {
   Material changed = material;
+  // Under another model than its own, as in a comparison, what only its own has means nothing and is no fault.
+  if (model->id != material.model)
+    std::erase_if(changed.modelParameters, [&](const auto& given) { return !model->parameter(given.first); });
   Diagnostics faults;
   const auto add = [&](const Diagnostics& more) { faults.insert(faults.end(), more.begin(), more.end()); };
   const auto placeOf = [&](const Setting& setting) { return setting.from.empty() ? place : setting.from; };

@@ -23,7 +23,6 @@ using std::numbers::pi;
 // Single precision and quadrature stay below these, see tests/models/numbers_test.cpp.
 constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03, kFurnace = 5e-3;
 constexpr float kMirrorRoughness = 0.1f;
-constexpr size_t kLaws = 10;
 
 const std::vector<float> kFineRoughness = {0.05f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.35f, 0.4f, 0.45f, 0.5f,
                                            0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 1.f};
@@ -77,8 +76,9 @@ std::vector<ProbePoint> probePoints(const ShadingModel& model) {
 
 class Examination {
  public:
-  Examination(const ShadingModel& model, bool compensate, ModelHealth& card) : model_(model), compensate_(compensate), card_(card) {
-    card_.laws.reserve(kLaws);  // results are referred to while others are added
+  Examination(const ShadingModel& model, bool compensate, ModelHealth& card, const std::function<bool()>& stopped)
+      : model_(model), compensate_(compensate), card_(card), stopped_(stopped) {
+    card_.laws.reserve(kLawCount);  // results are referred to while others are added
   }
 
   void run() {
@@ -89,9 +89,12 @@ class Examination {
     result(Law::Compiles);
     hasD_ = model_.definesD || !model_.termD.empty();
     points_ = probePoints(model_);
+    if (stopped()) return;
     values(*probe);
     if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
+    if (stopped()) return;
     energy(*integrals, kFineRoughness, kFineNoV);
+    if (stopped()) return;
     if (!model_.isWhole()) mirror(*integrals);
     if (compensate_) {
       // The split sum stands for the single bounce; further ones are lit by the irradiance.
@@ -101,6 +104,7 @@ class Examination {
     } else {
       environment(*probe, *integrals);
     }
+    if (stopped()) return;
     sampler(*probe);
     for (const ModelParameter& p : model_.parameters) {
       for (const float end : {p.minimum, p.maximum}) {
@@ -109,6 +113,7 @@ class Examination {
         probe->set(p.name, value);
         integrals->set(p.name, value);
         setting_ = fmt::format(", {} {}", p.fileName.empty() ? p.name : p.fileName, end);
+        if (stopped()) return;
         values(*probe);
         if (result(Law::Finite).verdict == Verdict::Red) return;
         energy(*integrals, kCoarseRoughness, kCoarseNoV);
@@ -126,13 +131,7 @@ class Examination {
     return card_.laws.back();
   }
 
-  void fails(const Diagnostics& faults) {
-    LawResult& r = result(Law::Compiles);
-    r.verdict = Verdict::Red;
-    r.where = faults[0].place;
-    r.reason = faults[0].what;
-    r.hint = faults[0].hint;
-  }
+  void fails(const Diagnostics& faults) { card_ = unmeasurable(card_.model, card_.file, faults[0]); }
 
   // A fault that the model has with its parameters at their defaults is not told again of their ends.
   bool told(const LawResult& law) const { return !setting_.empty() && law.verdict != Verdict::Green; }
@@ -290,9 +289,12 @@ class Examination {
     law.hint = "a sampler is tabulated from f, which must be finite and positive";
   }
 
+  bool stopped() const { return stopped_ && stopped_(); }
+
   const ShadingModel& model_;
   bool compensate_;
   ModelHealth& card_;
+  const std::function<bool()>& stopped_;
   bool hasD_ = false;
   std::vector<ProbePoint> points_;
   std::string setting_;  // ", gamma 4" while a parameter is not at its default
@@ -306,7 +308,7 @@ std::string_view name(Verdict verdict) {
 }
 
 std::string_view name(Law law) {
-  constexpr std::array<std::string_view, kLaws> kNames = {"compiles",      "finite", "non-negative", "reciprocity",
+  constexpr std::array<std::string_view, kLawCount> kNames = {"compiles",      "finite", "non-negative", "reciprocity",
                                                       "normalisation", "energy", "white furnace", "mirror limit", "environment", "sampler"};
   return kNames[static_cast<size_t>(law)];
 }
@@ -330,10 +332,15 @@ const LawResult* ModelHealth::find(Law law) const {
   return nullptr;
 }
 
-ModelHealth checkHealth(const ShadingModel& model, bool compensate) {
+ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostic& fault) {
+  return {.model = model, .file = file,
+          .laws = {{.law = Law::Compiles, .verdict = Verdict::Red, .where = fault.place, .reason = fault.what, .hint = fault.hint}}};
+}
+
+ModelHealth checkHealth(const ShadingModel& model, bool compensate, const std::function<bool()>& stopped) {
   const auto begin = std::chrono::steady_clock::now();
   ModelHealth card{.model = model.id, .file = model.file.string(), .laws = {}};
-  Examination(model, (compensate || model.compensate) && !model.isWhole(), card).run();
+  Examination(model, (compensate || model.compensate) && !model.isWhole(), card, stopped).run();
   card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return card;
 }

@@ -27,6 +27,7 @@ enum class Law {
   Environment,    // `value` is the relative RMS error of the split sum against the integral it stands for
   Sampler,        // `value` is the relative error of the albedo by SamplerError::kSamples directions of its own sampler
 };
+inline constexpr int kLawCount = 10;
 std::string_view name(Law);  // "reciprocity"
 
 struct LawResult {
@@ -48,9 +49,12 @@ struct ModelHealth {
   const LawResult* find(Law) const;
 };
 
+// The card of a model that cannot be measured, for the fault that keeps it from that: red.
+ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostic& fault);
+
 // Needs a current context. GLSL that does not compile is a red card, with the plugin's own lines in `where`. With
 // `compensate` the model is measured with the lobe of further bounces (renderer/model_tables.h), as one whose head asks
-// for it always is.
-ModelHealth checkHealth(const ShadingModel&, bool compensate = false);
+// for it always is. `stopped` is asked between the parts of the work; once it says so, what is left of it is left out.
+ModelHealth checkHealth(const ShadingModel&, bool compensate = false, const std::function<bool()>& stopped = {});
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -26,6 +27,13 @@ enum class Output {
   Display,     // display-referred linear, added up: averages of samples
   Radiance,    // scene-referred, added up
 };
+
+// Views that the shading models draw; the others show a buffer.
+constexpr const char* kLitViews[] = {"lit", kFurnaceView};
+bool isFurnace(const RenderSettings& settings) { return settings.view == kFurnaceView; }
+bool isLit(const RenderSettings& settings) {
+  return std::any_of(std::begin(kLitViews), std::end(kLitViews), [&](const char* view) { return settings.view == view; });
+}
 
 constexpr int kMostGroups = 254;   // the stencil's values but 0, which is the background
 
@@ -210,6 +218,10 @@ struct Renderer::State {
       if (view.scene->environment) r.view.block.environmentIntensity /= lighting.maps(view.scene->environment).scale;
       if (r.view.tooManyDirectional)
         problems.push_back(warning("lights", fmt::format("more than {} directional lights", kMostDirectionalLights), "the others are not drawn"));
+      if (isFurnace(settings)) {
+        r.view.block.environmentIntensity = 1;
+        r.view.block.directionalCount = 0;
+      }
       r.viewBlock = frame.append(std::as_bytes(std::span(&r.view.block, 1)));
       std::vector<DirectionalBlock> directional = r.view.directional;
       directional.resize(kMostDirectionalLights);
@@ -369,8 +381,14 @@ struct Renderer::State {
 
   void lightingPass(const RenderSettings& settings, GLuint framebuffer, Output output) {
     beginRectangles(framebuffer, output);
+    const bool furnace = isFurnace(settings);
     for (ReadyView& r : ready) {
       const EnvironmentPtr& environment = r.view.scene->environment;
+      const bool surrounded = furnace || environment;
+      // White light averages to white under any lobe.
+      const auto cubeOf = [&](const ModelSetting& setting, Lobe lobe) {
+        return furnace ? Result<GLuint>(uniformCube(whiteCube, 1)) : lighting.prefiltered(environment, setting, lobe);
+      };
       for (size_t g = 0; g < r.groups.size(); ++g) {
         const LightGroup& group = r.groups[g];
         if (group.tileCount == 0) continue;
@@ -379,18 +397,19 @@ struct Renderer::State {
           continue;
         }
         std::vector<std::string> defines = outputDefines(settings, output);
-        if (!r.view.points.empty()) defines.push_back("POINT_LIGHTS");
-        if (optional.emissive) defines.push_back("EMISSIVE");
+        if (!furnace && !r.view.points.empty()) defines.push_back("POINT_LIGHTS");
+        if (!furnace && optional.emissive) defines.push_back("EMISSIVE");
+        if (furnace) defines.push_back("FURNACE");
         if (optional.parameters) defines.push_back("READS_PARAMETERS");
         if (group.compensate) defines.push_back("COMPENSATE");
         GLuint cube = 0, irradiance = 0, coatCube = 0;
         EnvironmentLighting::BrdfTable table, coatTable;
-        const bool coated = environment && group.setting.shader->model->definesCoat;
-        const bool usesTangent = environment && group.setting.shader->model->usesTangent;
+        const bool coated = surrounded && group.setting.shader->model->definesCoat;
+        const bool usesTangent = surrounded && group.setting.shader->model->usesTangent;
         std::array<glm::vec2, EnvironmentLighting::kLevels> stretch{};
-        if (environment) {
+        if (surrounded) {
           // Building tables changes the state; the pass begins anew after it.
-          const auto prefiltered = lighting.prefiltered(environment, group.setting);
+          const auto prefiltered = cubeOf(group.setting, Lobe::Base);
           const auto brdf = lighting.brdf(group.setting);
           if (!prefiltered || !brdf) {
             failedGroup(r, g, settings, framebuffer, output, !prefiltered ? prefiltered.diagnostics() : brdf.diagnostics());
@@ -398,9 +417,9 @@ struct Renderer::State {
           }
           cube = *prefiltered;
           table = *brdf;
-          irradiance = lighting.maps(environment).irradianceBuffer.id();
+          irradiance = furnace ? whiteIrradiance() : lighting.maps(environment).irradianceBuffer.id();
           if (coated) {
-            const auto coat = lighting.prefiltered(environment, group.setting, Lobe::Coat);
+            const auto coat = cubeOf(group.setting, Lobe::Coat);
             const auto coatBrdf = lighting.brdf(group.setting, Lobe::Coat);
             if (!coat || !coatBrdf) {
               failedGroup(r, g, settings, framebuffer, output, !coat ? coat.diagnostics() : coatBrdf.diagnostics());
@@ -409,7 +428,7 @@ struct Renderer::State {
             coatCube = *coat;
             coatTable = *coatBrdf;
           }
-          if (usesTangent) stretch = lighting.stretch(group.setting);
+          if (usesTangent && !furnace) stretch = lighting.stretch(group.setting);
           reportInvalidTables(group.setting);
           defines.push_back("ENVIRONMENT");
           if (table.colored) defines.push_back("COLORED_BRDF");
@@ -422,7 +441,7 @@ struct Renderer::State {
         const gl::Program& program = **found;
         beginRectangles(framebuffer, output);
         bindLighting(r, group);
-        if (environment) {
+        if (surrounded) {
           glBindTextureUnit(6, cube);
           glBindTextureUnit(7, table.texture);
           glBindBufferBase(GL_UNIFORM_BUFFER, 3, irradiance);
@@ -490,7 +509,8 @@ struct Renderer::State {
       const bool sky = settings.view == "lit" && environment &&
                        (settings.background == Background::Environment || settings.background == Background::Blur);
       float color[4] = {0, 0, 0, 1};
-      if (settings.view == "lit" && settings.background == Background::Color)
+      if (isFurnace(settings)) std::fill_n(color, 3, furnaceGround);
+      else if (settings.view == "lit" && settings.background == Background::Color)
         for (int i = 0; i < 3; ++i) color[i] = settings.backgroundColor[i];
       float level = 0;
       if (sky) {
@@ -506,7 +526,7 @@ struct Renderer::State {
 
   void backgroundRectangles(const ReadyView& r, int stencil, const RenderSettings& settings, Output output, const float* color, float level) {
     const gl::Program& program = programs.shipped(tileVertex(), {"shaders/passes/background.frag", outputDefines(settings, output), {}});
-    if (color[3] > 0) glBindTextureUnit(6, noEnvironment());
+    if (color[3] > 0) glBindTextureUnit(6, uniformCube(blackCube, 0));
     program.set4("background", color);
     program.set("level", level);
     frame.bind(GL_UNIFORM_BUFFER, 0, r.viewBlock, sizeof(ViewBlock));
@@ -522,22 +542,28 @@ struct Renderer::State {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
   }
 
-  GLuint noEnvironment() {
-    if (!blackCube) {
-      blackCube = gl::createTextureCube(GL_RGBA16F, 1, 1);
-      const float black[4] = {};
-      glClearTexImage(blackCube.id(), 0, GL_RGBA, GL_FLOAT, black);
+  static GLuint uniformCube(gl::Texture& cube, float value) {
+    if (!cube) {
+      cube = gl::createTextureCube(GL_RGBA16F, 1, 1);
+      const float color[4] = {value, value, value, value};
+      glClearTexImage(cube.id(), 0, GL_RGBA, GL_FLOAT, color);
     }
-    return blackCube.id();
+    return cube.id();
+  }
+
+  // Of white light from all sides: EnvironmentMaps::irradiance.
+  GLuint whiteIrradiance() {
+    if (!whiteHarmonics) {
+      std::array<glm::vec4, 9> harmonics{};
+      harmonics[0] = glm::vec4(1);
+      whiteHarmonics = gl::createBuffer(std::as_bytes(std::span(harmonics)));
+    }
+    return whiteHarmonics.id();
   }
 
   void bufferViewPass(const RenderSettings& settings, GLuint framebuffer, Output output) {
     beginRectangles(framebuffer, output);
-    int mode = 0;
-    for (const ViewMode& candidate : viewModes()) {
-      if (settings.view == candidate.id) break;
-      ++mode;
-    }
+    const int mode = static_cast<int>(findViewMode(settings.view) - viewModes().data()) - static_cast<int>(std::size(kLitViews));
     std::vector<std::string> defines = outputDefines(settings, output);
     if (optional.emissive) defines.push_back("EMISSIVE");
     if (optional.parameters) defines.push_back("READS_PARAMETERS");
@@ -549,7 +575,7 @@ struct Renderer::State {
         colors[g] = glm::vec4(linearOf(c[0]), linearOf(c[1]), linearOf(c[2]), 1);
       }
       program.set4("groupColors", &colors[0].x, 256);
-      program.set("mode", mode - 1);  // 0 is the first buffer, after "lit"
+      program.set("mode", mode);  // 0 is the first buffer
       for (size_t g = 0; g < r.groups.size(); ++g) {
         bindLighting(r, r.groups[g]);
         glStencilFunc(GL_EQUAL, static_cast<GLint>(g) + 1, 0xff);
@@ -561,6 +587,7 @@ struct Renderer::State {
   // -- Frames ------------------------------------------------------------------------------------------------------
   // True when the background is only black, which a clear gives for less than a pass.
   bool blackBackground(const RenderSettings& settings) const {
+    if (isFurnace(settings)) return false;
     if (settings.view != "lit" || settings.background == Background::None) return true;
     if (settings.background == Background::Color) return settings.backgroundColor == glm::vec3(0);
     return std::none_of(ready.begin(), ready.end(), [](const ReadyView& r) { return r.view.scene->environment != nullptr; });
@@ -570,7 +597,7 @@ struct Renderer::State {
     prepare(views, settings, jitterOf(sample));
     targets.resize(size.x, size.y, optional);
     gbufferPass();
-    if (settings.view == "lit")
+    if (isLit(settings))
       lightingPass(settings, framebuffer, output);
     else
       bufferViewPass(settings, framebuffer, output);
@@ -640,10 +667,12 @@ struct Renderer::State {
   FrameBuffer frame;
   gl::VertexArray tileArray;
   gl::Buffer wholeTile;
-  gl::Texture blackCube, tileLights;
+  gl::Texture blackCube, whiteCube, tileLights;
+  gl::Buffer whiteHarmonics;
   std::vector<ReadyView> ready;
   OptionalAttachments optional;         // of the frame
   int accumulated = 0;
+  float furnaceGround = 1;              // radiance behind the surfaces of the white furnace
   FrameTargets::Picture* picture = nullptr;
   GLuint lastFramebuffer = 0;
   RenderSettings lastSettings;
@@ -717,6 +746,36 @@ ImageF Renderer::linear(std::span<const View> views, glm::ivec2 size, const Rend
   s.statistics.invalidPixels =
       countInViews(views, size, [&](size_t pixel) { return pixels[pixel * 4 + 3] < static_cast<float>(samples) - 0.5f; });
   return image;
+}
+
+std::vector<Renderer::FurnaceShare> Renderer::furnaceShares(std::span<const View> views, glm::ivec2 size, bool compensate) {
+  State& s = *state_;
+  RenderSettings settings;
+  settings.view = kFurnaceView;
+  settings.compensate = compensate;
+  // No surface sends back less than nothing: that is where there is none.
+  s.furnaceGround = -1;
+  const ImageF image = linear(views, size, settings);
+  s.furnaceGround = 1;
+  std::vector<FurnaceShare> shares;
+  for (const View& view : views) {
+    FurnaceShare share{.least = std::numeric_limits<double>::infinity()};
+    const glm::ivec4 r = view.rectangle;
+    for (int y = std::max(r.y, 0); y < std::min(r.y + r.w, size.y); ++y)
+      for (int x = std::max(r.x, 0); x < std::min(r.x + r.z, size.x); ++x) {
+        const float* p = image.at(x, size.y - 1 - y);
+        if (p[0] < 0) continue;
+        const double value = (double(p[0]) + p[1] + p[2]) / 3;
+        share.mean += value;
+        share.least = std::min(share.least, value);
+        share.most = std::max(share.most, value);
+        ++share.pixels;
+      }
+    if (share.pixels) share.mean /= share.pixels;
+    else share = {};
+    shares.push_back(share);
+  }
+  return shares;
 }
 
 unsigned Renderer::drawToTexture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {

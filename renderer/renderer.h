@@ -18,14 +18,20 @@ class EnvironmentLighting;
 enum class Tonemap { None, Aces, AgX, PbrNeutral };
 enum class Background { Environment, Blur, None, Color };
 
-// A picture's view of the scene: the lit one, or one of the buffers.
+// A picture's view of the scene: the lit one, the white furnace, or one of the buffers.
 struct ViewMode {
-  const char* id;      // "lit", "baseColor", "normal", "modelId", ...
+  const char* id;      // "lit", "furnace", "baseColor", "normal", "modelId", ...
   const char* title;
   const char* doc;
 };
 std::span<const ViewMode> viewModes();
 const ViewMode* findViewMode(const std::string& id);
+// The white furnace: whatever the scene's light and the materials' colours, every surface is a white metal (F0 = 1, no
+// cavity, occlusion or emission) under white light of radiance 1 from all sides, before the same white. With its own
+// roughness and parameters it shows the share of that light which its model sends back to the viewer, from the model's
+// own environment BRDF, which is the integral of its f: one that keeps its energy cannot be seen. Display-referred
+// pictures show what is over 1 in orange.
+inline constexpr const char* kFurnaceView = "furnace";
 
 struct RenderSettings {
   std::string view = "lit";
@@ -62,6 +68,15 @@ class Renderer {
   // is scene-referred radiance. Never holds NaN: a pixel that would is counted in statistics().
   Image8 picture(std::span<const View>, glm::ivec2 size, const RenderSettings&);
   ImageF linear(std::span<const View>, glm::ivec2 size, const RenderSettings&);
+
+  // Of each view in the white furnace, over the pixels that its surfaces cover: the share of the light that comes back,
+  // the mean of its channels. For a sphere seen from afar `mean` is the average albedo.
+  struct FurnaceShare {
+    double mean = 0, least = 0, most = 0;
+    int pixels = 0;                              // 0: nothing is seen, and the others say nothing
+    double extreme() const { return 1 - least > most - 1 ? least : most; }  // the farthest from 1
+  };
+  std::vector<FurnaceShare> furnaceShares(std::span<const View>, glm::ivec2 size, bool compensate);
 
   // Draws into a texture of this renderer and waits for the device, so that another context may show it. The
   // texture stays unchanged until the second next call.

@@ -1,4 +1,4 @@
-// The pictures that can be drawn of a scene. After "lit" they are in the order of shaders/passes/buffer_view.frag.
+// The pictures that can be drawn of a scene. After those of light they are in the order of shaders/passes/buffer_view.frag.
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -6,6 +6,7 @@ namespace glint {
 std::span<const ViewMode> viewModes() {
   static constexpr ViewMode kModes[] = {
       {"lit", "Lit", "The picture: light, environment and emission"},
+      {kFurnaceView, "White furnace", "Every surface as white metal under white light from all sides: what keeps its energy cannot be seen, what loses some is darker, what gains some is orange"},
       {"baseColor", "Base color", "Base colour"},
       {"normal", "Normal", "World-space normal: x, y, z as red, green, blue around a half"},
       {"metallic", "Metallic", "Metallic, black 0 to white 1"},

@@ -95,6 +95,10 @@ void main() {
   Surface surface = readSurface(pixel);
   vec3 N = surface.normal;
   vec3 V = towardsViewer(gl_FragCoord.xy);
+#ifdef FURNACE
+  surface.baseColor = vec3(1.0);
+  surface.metallic = surface.cavity = surface.ambientOcclusion = 1.0;
+#endif
 
   Shading s;
   setRoughness(s, surface.roughness);
@@ -114,6 +118,12 @@ void main() {
   Parameters p = modelParameters(standardParameters);
 #endif
   modelColors(s, p);
+#ifdef FURNACE
+  // A white metal whatever colours the model makes: how much light it sends back is its lobe's alone.
+  s.F0 = vec3(1.0);
+  s.diffuseColor = vec3(0.0);
+  s.plainNonmetal = false;
+#endif
   modelTurn(s, p);
   modelPrepare(s, p);
 
@@ -189,6 +199,11 @@ void main() {
   radiance *= surface.cavity;
 #ifdef EMISSIVE
   radiance += texelFetch(gEmissive, pixel, 0).rgb;
+#endif
+#if defined(FURNACE) && !defined(SCENE_REFERRED)
+  // A display ends at 1: what is over it would vanish too.
+  float most = max(radiance.r, max(radiance.g, radiance.b));
+  radiance = min(radiance, 1.0) * mix(vec3(1.0, 0.22, 0.04), vec3(1.0), 1.0 / max(most, 1.0));
 #endif
   outColor = outputColor(radiance);
 }

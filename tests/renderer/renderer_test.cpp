@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/environment_lighting.h"
+#include "renderer/model_integrals.h"
 #include "renderer/renderer.h"
 #include "shaders/shipped_files.h"
 #include "tests/support/program.h"
@@ -119,6 +120,54 @@ TEST_F(RendererTest, MetalInTheFurnaceShowsTheAlbedo) {
     scene.environment = test::uniformEnvironment(1);
     EXPECT_NEAR(center(linear(scene, orthographic())), c.albedo, 4e-3f) << c.model;
   }
+}
+
+// The view of it takes only roughness and the model's parameters from the scene.
+TEST_F(RendererTest, TheFurnaceViewIsAWhiteMetalInWhiteLight) {
+  Scene scene = sphereScene("ggx", {.baseColor = {0.6f, 0.1f, 0.1f}, .metallic = 0, .roughness = 1, .specular = 0.2f});
+  scene.lights = {{.kind = LightKind::Point, .position = {0, 0, 2}, .candela = 100}, {.kind = LightKind::Directional, .direction = {0, 0, 1}, .lux = 9}};
+  RenderSettings settings;
+  settings.view = kFurnaceView;
+  const ImageF image = linear(scene, orthographic(), 64, settings);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.at(32, 32)[c], 0.30685f, 4e-3f);
+  EXPECT_EQ(image.at(1, 1)[0], 1) << "the same white behind";
+  scene.environment = test::uniformEnvironment(7);
+  EXPECT_EQ(linear(scene, orthographic(), 64, settings).data, image.data);
+
+  // The mean over a sphere that is seen in parallel is the average albedo.
+  const View view{&scene, orthographic(), {0, 0, 64, 64}};
+  const auto shares = renderer->furnaceShares(std::span(&view, 1), {64, 64}, false);
+  ASSERT_EQ(shares.size(), 1u);
+  const auto integrals = ModelIntegrals::of(*models->find("ggx"));
+  ASSERT_TRUE(integrals);
+  EXPECT_NEAR(shares[0].mean, integrals->averageAlbedo(1, false), 5e-3);
+  EXPECT_NEAR(shares[0].least, 0.30685, 4e-3);
+  EXPECT_LT(shares[0].most, 1);
+  EXPECT_EQ(shares[0].extreme(), shares[0].least);
+  EXPECT_NEAR(renderer->furnaceShares(std::span(&view, 1), {64, 64}, true)[0].extreme(), 1, 0.01) << "with all its bounces";
+}
+
+TEST_F(RendererTest, WhatKeepsItsEnergyVanishesInTheFurnace) {
+  const auto sphereOf = [&](const std::string& f) {
+    auto model = parseModel("m.glsl", "/*glint {\"id\": \"m\"} */\nvec3 specular(Shading s, Parameters p) { return s.F0 * " + f + " / kPi; }\n");
+    EXPECT_TRUE(model);
+    Scene scene;
+    scene.materials.push_back(test::material(std::make_shared<const ShadingModel>(std::move(*model)), {}));
+    scene.instances.push_back({sphere, glm::mat4(1), 0});
+    return scene;
+  };
+  RenderSettings settings;
+  settings.view = kFurnaceView;
+  const Scene whole = sphereOf("1.0");
+  for (const float v : linear(whole, orthographic(), 64, settings).data) ASSERT_NEAR(v, 1, 4e-3f);
+  // One that gains some is seen too, although a display ends at 1.
+  const Scene bright = sphereOf("1.5");
+  EXPECT_NEAR(center(linear(bright, orthographic(), 64, settings)), 1.5f, 3e-3f);
+  const View view{&bright, orthographic(), {0, 0, 64, 64}};
+  const Image8 picture = renderer->picture(std::span(&view, 1), {64, 64}, settings);
+  EXPECT_EQ(picture.at(32, 32)[0], 255);
+  EXPECT_LT(picture.at(32, 32)[2], 220);
+  EXPECT_NEAR(renderer->furnaceShares(std::span(&view, 1), {64, 64}, false)[0].extreme(), 1.5, 3e-3);
 }
 
 // Exact integrals (tests/data/environment_brdf.json, mpmath and two quadratures). The table's own 64 cells a side
