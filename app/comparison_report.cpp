@@ -1,5 +1,6 @@
 #include "app/comparison_report.h"
 
+#include "app/health_text.h"
 #include "app/markup.h"
 #include "renderer/image_codecs.h"
 
@@ -18,13 +19,30 @@ figure img + img { position: absolute; top: 0; opacity: 0; } figure:hover img + 
 figcaption { text-align: center; font-size: 13px; }
 table { border-collapse: collapse; } td, th { padding: 3px 18px 3px 0; text-align: left; font-variant-numeric: tabular-nums; }
 th { color: #9699a1; font-weight: 400; } dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 18px; } dd { margin: 0; overflow-wrap: anywhere; }
+.badge { display: inline-block; width: 1.35em; height: 1.35em; border-radius: 50%; text-align: center; font: 700 12px/1.35em Inter, sans-serif; color: #16171a; margin-right: 8px; }
+.green { background: #7eb668; } .amber { background: #e2b852; } .red { background: #e85c50; }
+details { margin: 6px 0; } summary { cursor: pointer; } details table { margin: 6px 0 14px 28px; font-size: 14px; } .where { color: #9699a1; }
 )";
+
+std::string badgeOf(Verdict verdict) {
+  return fmt::format("<span class=\"badge {0}\" title=\"{0}\">{1}</span>", name(verdict), verdictGlyph(verdict));
+}
+
+std::string cardOf(const ModelHealth& card) {
+  const std::string reason = card.reason();
+  std::string html = fmt::format("<details><summary>{}<b>{}</b> {}</summary>\n<table>\n", badgeOf(card.verdict()), escapedMarkup(card.model),
+                                 escapedMarkup(reason.empty() ? "keeps every law" : reason));
+  for (const LawResult& law : card.laws)
+    html += fmt::format("<tr><td>{}{}</td><td>{}{}</td><td class=\"where\">{}</td></tr>\n", badgeOf(law.verdict), name(law.law), escapedMarkup(finding(law)),
+                        law.claimed && law.reason.empty() ? ", as it claims" : "", escapedMarkup(law.where));
+  return html + "</table></details>\n";
+}
 
 }  // namespace
 
 Result<std::string> comparisonReport(const std::string& title, std::span<const SheetRow> rows, const SheetText& text,
                                      const std::string& against, std::span<const ReportNumbers> numbers,
-                                     const std::map<std::string, std::string>& notes) {
+                                     std::span<const ModelHealth> health, const std::map<std::string, std::string>& notes) {
   Diagnostics problems;
   const auto image = [&](const Image8& pixels) -> std::string {
     const auto png = codec::encodePng(pixels, {}, "--report");
@@ -46,6 +64,7 @@ Result<std::string> comparisonReport(const std::string& title, std::span<const S
     for (size_t column = 0; column < rows[i].cells.size(); ++column) {
       html += "<figure>" + image(rows[i].cells[column]);
       if (heat && !heat->cells[column].empty()) html += image(heat->cells[column]);
+      if (column < rows[i].captions.size()) html += fmt::format("<figcaption>{}</figcaption>", escapedMarkup(rows[i].captions[column]));
       if (heat && column < heat->captions.size()) html += fmt::format("<figcaption>{}</figcaption>", escapedMarkup(heat->captions[column]));
       html += "</figure>\n";
     }
@@ -58,6 +77,8 @@ Result<std::string> comparisonReport(const std::string& title, std::span<const S
       html += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td></tr>\n", escapedMarkup(n.row), escapedMarkup(n.column), n.flip, n.rmse, n.largest);
     html += "</table>\n";
   }
+  if (!health.empty()) html += "<h2>Health of the models</h2>\n<p class=\"axis\">What physics asks of a model, measured on its own GLSL. Click for the whole card.</p>\n";
+  for (const ModelHealth& card : health) html += cardOf(card);
   html += "<h2>Made by</h2>\n<dl>\n";
   for (const auto& [key, value] : notes) html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escapedMarkup(key), escapedMarkup(value));
   html += "</dl>\n</html>\n";

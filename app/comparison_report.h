@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/comparison_sheet.h"
+#include "renderer/model_health.h"
 
 namespace glint {
 
@@ -16,9 +17,9 @@ struct ReportNumbers {
 };
 
 // The cells as embedded PNGs; a heat map is shown when the pointer is on the cell above it. `against` names the
-// reference of the numbers. Every text from outside is escaped.
+// reference of the numbers. The cards are shown beneath, each unfolds. Every text from outside is escaped.
 Result<std::string> comparisonReport(const std::string& title, std::span<const SheetRow>, const SheetText&,
                                      const std::string& against, std::span<const ReportNumbers>,
-                                     const std::map<std::string, std::string>& notes);
+                                     std::span<const ModelHealth>, const std::map<std::string, std::string>& notes);
 
 }  // namespace glint

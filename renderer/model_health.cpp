@@ -131,7 +131,7 @@ class Examination {
     return card_.laws.back();
   }
 
-  void fails(const Diagnostics& faults) { card_ = unmeasurable(card_.model, card_.file, faults[0]); }
+  void fails(const Diagnostics& faults) { card_ = unmeasurable(card_.model, card_.file, faults); }
 
   // A fault that the model has with its parameters at their defaults is not told again of their ends.
   bool told(const LawResult& law) const { return !setting_.empty() && law.verdict != Verdict::Green; }
@@ -332,9 +332,11 @@ const LawResult* ModelHealth::find(Law law) const {
   return nullptr;
 }
 
-ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostic& fault) {
-  return {.model = model, .file = file,
-          .laws = {{.law = Law::Compiles, .verdict = Verdict::Red, .where = fault.place, .reason = fault.what, .hint = fault.hint}}};
+ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostics& faults) {
+  ModelHealth card{.model = model, .file = file, .laws = {}};
+  for (const Diagnostic& fault : faults)
+    card.laws.push_back({.law = Law::Compiles, .verdict = Verdict::Red, .where = fault.place, .reason = fault.what, .hint = fault.hint});
+  return card;
 }
 
 ModelHealth checkHealth(const ShadingModel& model, bool compensate, const std::function<bool()>& stopped) {

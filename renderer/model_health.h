@@ -49,8 +49,8 @@ struct ModelHealth {
   const LawResult* find(Law) const;
 };
 
-// The card of a model that cannot be measured, for the fault that keeps it from that: red.
-ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostic& fault);
+// The card of a model that cannot be measured, for the faults that keep it from that: red.
+ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostics& faults);
 
 // Needs a current context. GLSL that does not compile is a red card, with the plugin's own lines in `where`. With
 // `compensate` the model is measured with the lobe of further bounces (renderer/model_tables.h), as one whose head asks

@@ -11,7 +11,7 @@ Result<ModelPtr> plainModel(const Libraries& libraries) { return libraries.model
 
 std::vector<BenchCase> benchCases(const ModelRegistry& models) {
   std::vector<BenchCase> all;
-  for (auto& group : {frameCases(models), environmentCases(models), materialCases(), plotCases(), startupCases()})
+  for (auto& group : {frameCases(models), environmentCases(models), materialCases(), modelCases(), plotCases(), startupCases()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

@@ -42,6 +42,7 @@ std::vector<BenchCase> benchCases(const ModelRegistry&);
 std::vector<BenchCase> frameCases(const ModelRegistry&);      // calibrate, frame.*, model.*, models.4
 std::vector<BenchCase> environmentCases(const ModelRegistry&);  // env.*
 std::vector<BenchCase> materialCases();                       // graph.*, edit.*
+std::vector<BenchCase> modelCases();                          // verify.*, eval.*, model.drop
 std::vector<BenchCase> plotCases();                           // plot.*
 std::vector<BenchCase> startupCases();                        // startup.*
 

@@ -6,32 +6,15 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <random>
 
 #include "app/bench/cases.h"
+#include "app/bench/temporary_folder.h"
 
 extern char** environ;
 
 namespace glint {
 namespace fs = std::filesystem;
 namespace {
-
-// A folder that is gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_(fs::temp_directory_path() / fmt::format("glint-startup-{:08x}", std::random_device()())) {
-    fs::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // Starts this program for its first frame, with caches of its own: the milliseconds until it says that the frame is
 // there. The child is gone when this returns; its ending is not part of the time.

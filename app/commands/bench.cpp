@@ -96,8 +96,8 @@ int run(const Arguments& arguments) {
 extern const Command kBenchCommand;
 const Command kBenchCommand = {
     .name = "bench",
-    .summary = "Measure: frames, models, environments, materials, start-up",
-    .options = {{"cases", "CASE", "names or groups (frame, model, env, graph, edit, startup); all when none is given", true},
+    .summary = "Measure: frames, models, environments, materials, verdicts, start-up",
+    .options = {{"cases", "CASE", "names or groups (frame, model, env, graph, edit, verify, eval, startup); all when none is given", true},
                 {"--quick", "", "one run of each: whether it works, not how fast"},
                 {"--list", "", "only name the cases"},
                 {"--first-frame", "", "only draw the first frame of the start-up case and write a line break"}},

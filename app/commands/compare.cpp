@@ -12,6 +12,7 @@
 #include "app/commands/compare_plot.h"
 #include "app/comparison_report.h"
 #include "app/comparison_sheet.h"
+#include "app/health_text.h"
 #include "app/picture_file.h"
 #include "app/scene_loader.h"
 #include "app/scene_options.h"
@@ -20,6 +21,7 @@
 #include "materials/base/log.h"
 #include "renderer/comparison.h"
 #include "renderer/image_difference.h"
+#include "renderer/model_health_cache.h"
 
 namespace glint {
 namespace {
@@ -185,6 +187,7 @@ std::string footerOf(const Plan& plan) {
   std::string text = "environment " + std::filesystem::path(plan.scene.environment).filename().string();
   if (plan.scene.environment == "none") text = "no environment";
   if (const size_t lights = plan.scene.lights.size()) text += fmt::format(", {} light{}", lights, lights == 1 ? "" : "s");
+  if (plan.scene.render.view == kFurnaceView) return "white furnace: how much of the light comes back, in the mean and farthest from 1";
   if (plan.scene.render.view != "lit") text += ", " + plan.scene.render.view;
   if (plan.scene.render.exposure != 0) text += fmt::format(", exposure {:g} EV", plan.scene.render.exposure);
   return text;
@@ -200,8 +203,13 @@ float roundUp(double value) {
 struct Cells {
   std::vector<std::vector<Image8>> pictures, heats;           // [row][column]; an empty heat for the reference
   std::vector<std::vector<ReportNumbers>> numbers;            // as heats
+  std::vector<std::vector<Renderer::FurnaceShare>> furnace;   // as pictures, in the white furnace
   float heatWhite = 0;
 };
+
+std::string rowName(const Axes& axes, size_t row) {
+  return axes.rows[row].title + (axes.subtitles[row].empty() ? "" : ", " + axes.subtitles[row]);
+}
 
 void judge(Cells& cells, const Axes& axes) {
   std::vector<std::vector<Pixels<float>>> maps(cells.pictures.size());
@@ -215,7 +223,7 @@ void judge(Cells& cells, const Axes& axes) {
       const ImageF a = linearFromDisplay(cells.pictures[reference][column]), b = linearFromDisplay(cells.pictures[row][column]);
       Difference flipped = imageDifference(a, b, DifferenceMetric::Flip);
       ReportNumbers& numbers = cells.numbers[row][column];
-      numbers = {axes.rows[row].title + (axes.subtitles[row].empty() ? "" : ", " + axes.subtitles[row]), axes.columns[column].title, flipped.value};
+      numbers = {rowName(axes, row), axes.columns[column].title, flipped.value};
       Image8 x = cells.pictures[reference][column], y = cells.pictures[row][column];
       double squares = 0;
       int most = 0;
@@ -266,6 +274,7 @@ Sheet layOut(const Plan& plan, const Axes& axes, const Cells& cells) {
     bool any = false;
     for (size_t c = 0; c < columns; ++c) {
       pictures.cells.push_back(cells.pictures[row(r, c)][column(r, c)]);
+      if (!cells.furnace.empty()) pictures.captions.push_back(furnaceText(cells.furnace[row(r, c)][column(r, c)]));
       if (!plan.against) continue;
       const Image8& heat = cells.heats[row(r, c)][column(r, c)];
       const ReportNumbers& numbers = cells.numbers[row(r, c)][column(r, c)];
@@ -295,6 +304,12 @@ nlohmann::ordered_json documentOf(const Plan& plan, const Axes& axes, const Cell
   document["height"] = size.y;
   for (const ComparisonRow& row : axes.rows) document["models"].push_back(row.model->id);
   for (const ComparisonColumn& column : axes.columns) document["columns"].push_back(column.title);
+  for (size_t row = 0; row < cells.furnace.size(); ++row)
+    for (size_t column = 0; column < cells.furnace[row].size(); ++column) {
+      const Renderer::FurnaceShare& share = cells.furnace[row][column];
+      document["furnace"].push_back({{"row", rowName(axes, row)}, {"column", axes.columns[column].title}, {"mean", share.mean},
+                                     {"least", share.least}, {"most", share.most}});
+    }
   if (plan.against) {
     document["against"] = plan.against->id;
     document["differences"] = nlohmann::ordered_json::array();
@@ -367,6 +382,7 @@ int run(const Arguments& arguments) {
     if (hasErrors(renderer.problems())) return badInput(renderer.problems());
     append(drawn, renderer.problems());
     invalidPixels += renderer.statistics().invalidPixels;
+    if (plan->scene.render.view == kFurnaceView) cells.furnace.push_back(renderer.furnaceShares(views, strip.size(), plan->scene.render.compensate));
     log::progress("comparing", double(row + 1) / comparison->rows());
   }
 
@@ -388,7 +404,11 @@ int run(const Arguments& arguments) {
       std::vector<ReportNumbers> numbers;
       for (const auto& row : cells.numbers)
         std::copy_if(row.begin(), row.end(), std::back_inserter(numbers), [](const ReportNumbers& n) { return !n.column.empty(); });
-      const auto html = comparisonReport("Comparison of shading models", sheet.rows, sheet.text, plan->against ? plan->against->id : "", numbers, notes);
+      std::vector<ModelHealth> health;
+      for (const ComparisonRow& row : axes.rows)
+        if (std::none_of(health.begin(), health.end(), [&](const ModelHealth& card) { return card.model == row.model->id; }))
+          health.push_back(healthOf(*row.model));
+      const auto html = comparisonReport("Comparison of shading models", sheet.rows, sheet.text, plan->against ? plan->against->id : "", numbers, health, notes);
       if (!html) return badInput(html.diagnostics());
       if (const Diagnostics faults = writeFileAtomic(plan->report, *html); !faults.empty()) return badInput(faults);
     }

@@ -43,6 +43,7 @@ int takeScreenshot(const Arguments& arguments, const std::vector<fs::path>& file
   UiDriver driver(**context, std::move(options), *size);
   driver.editor().openFiles(files);
   if (!driver.settle(120)) log::report(warning("--screenshot", "the picture was still being drawn after two minutes", "choose a smaller size or fewer cells"));
+  driver.awaitHealth(120);  // else badges say that they are being measured
   const Image8 picture = driver.screenshot();
   const ImageNotes notes = {{"Command", arguments.commandLine}, {"Software", "Glint " GLINT_VERSION}, {"OpenGL renderer", (*context)->info().renderer}};
   const Diagnostics problems = writeImage8(out, picture, notes);

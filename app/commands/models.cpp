@@ -1,12 +1,20 @@
 // glint models: every shading model there is, what it is made of, what it claims and what is wrong with it.
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/health_text.h"
+#include "app/models_page.h"
+#include "app/scene_loader.h"
+#include "materials/base/files.h"
+#include "materials/base/hash.h"
 #include "materials/base/log.h"
 #include "materials/model_registry.h"
 #include "materials/terms.h"
+#include "renderer/image_io.h"
+#include "renderer/model_health_cache.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -33,7 +41,7 @@ ordered_json valueJson(const Value& value) {
   return list;
 }
 
-ordered_json modelJson(const ShadingModel& m) {
+ordered_json modelJson(const ShadingModel& m, const ModelHealth* card) {
   ordered_json parameters = ordered_json::array();
   for (const ModelParameter& p : m.parameters)
     parameters.push_back({{"name", p.name},
@@ -61,6 +69,7 @@ ordered_json modelJson(const ShadingModel& m) {
           {"parameters", parameters},
           {"terms", terms},
           {"claims", {{"reciprocal", m.claims.reciprocal}, {"energyConserving", m.claims.energyConserving}}},
+          {"health", card ? healthJson(*card) : ordered_json()},
           {"uses", m.uses},
           {"cite", m.cite}};
 }
@@ -71,55 +80,102 @@ ordered_json problemsJson(const Diagnostics& problems) {
   return list;
 }
 
-void printModel(const ShadingModel& m) {
+void printModel(const ShadingModel& m, const ModelHealth* card) {
   fmt::print("{:<16}{}\n", m.id, m.title);
+  if (card) fmt::print("{:<16}{}\n", "", inColor(card->verdict(), oneLine(*card)));
   if (!m.doc.empty()) fmt::print("{:<16}{}\n", "", m.doc);
   fmt::print("{:<16}{}\n", "", partsText(m));
   for (const ModelParameter& p : m.parameters)
     fmt::print("{:<16}{} {} ({}..{}): {}\n", "", p.name, valueText(p.standard), p.minimum, p.maximum, p.doc);
-  fmt::print("{:<16}claims: {}\n", "",
-             m.claims.reciprocal && m.claims.energyConserving ? "reciprocal, energy conserving"
-             : m.claims.reciprocal                            ? "reciprocal"
-             : m.claims.energyConserving                      ? "energy conserving"
-                                                              : "nothing");
+  fmt::print("{:<16}claims: {}\n", "", claimsText(m));
   for (const std::string& cite : m.cite) fmt::print("{:<16}cites {}\n", "", cite);
   fmt::print("{:<16}{}\n\n", "", m.file.string());
 }
 
-// What compilers say of every model, drawn anywhere or not.
-Diagnostics compileFaults(const gl::Context& context, const ModelRegistry& registry) {
-  Renderer renderer(context);
+// What compilers say of every model, drawn anywhere or not, and the cards of those they say nothing of: kept ones, and
+// others measured now.
+struct Examined {
   Diagnostics faults;
-  for (const ModelPtr& model : registry.all()) {
-    const Diagnostics found = renderer.check(model);
-    faults.insert(faults.end(), found.begin(), found.end());
+  std::map<std::string, ModelHealth> cards;  // by id
+};
+
+Examined examine(Renderer& renderer, const ModelRegistry& registry) {
+  Examined found;
+  const std::vector<ModelPtr> all = registry.all();
+  bool measured = false;
+  for (size_t i = 0; i < all.size(); ++i) {
+    const ShadingModel& model = *all[i];
+    const Diagnostics faults = renderer.check(all[i]);
+    auto card = faults.empty() ? keptHealth(model) : unmeasurable(model.id, model.file.string(), faults);
+    if (!card) {
+      log::progress("checking " + model.id, double(i) / double(all.size()));
+      card = healthOf(model);
+      measured = true;
+    }
+    found.cards.emplace(model.id, std::move(*card));
+    found.faults.insert(found.faults.end(), faults.begin(), faults.end());
   }
+  if (measured) log::progress("checking models", 1);
+  return found;
+}
+
+// README.md and a picture for each model. Nothing is written unless all of it is there to write.
+Diagnostics writePage(const Arguments& arguments, const gl::Context& context, Renderer& renderer, Libraries& libraries,
+                      const std::map<std::string, ModelHealth>& cards) {
+  namespace fs = std::filesystem;
+  const fs::path folder = arguments.get("page"), pictures = folder / "pictures";
+  const auto page = modelsPage(renderer, libraries, libraries.models.all(), cards, "glint models --page " + folder.generic_string());
+  if (!page) return page.diagnostics();
+  std::error_code code;
+  fs::create_directories(pictures, code);
+  if (code) return {error(pictures.string(), "cannot be made: " + code.message(), "check its permissions")};
+  Diagnostics faults;
+  for (const auto& [id, picture] : page->pictures) {
+    const ModelPtr model = libraries.models.find(id);
+    const ImageNotes notes = {{"Command", arguments.commandLine}, {"Software", "Glint " GLINT_VERSION}, {"OpenGL renderer", context.info().renderer},
+                              {"Models", hashName(model->hash) + " " + id}};
+    const Diagnostics failed = writeImage8(pictures / (id + ".png"), picture, notes);
+    faults.insert(faults.end(), failed.begin(), failed.end());
+  }
+  if (faults.empty()) faults = writeFileAtomic(folder / "README.md", page->text);
   return faults;
 }
 
 int run(const Arguments& arguments) {
-  const ModelRegistry registry(arguments.modelFolders);
+  Libraries libraries(arguments.modelFolders);
+  const ModelRegistry& registry = libraries.models;
   Diagnostics problems = registry.problems();
   auto context = gl::Context::create({.backend = arguments.backend});
+  Examined found;
   if (context) {
-    const Diagnostics faults = compileFaults(**context, registry);
-    problems.insert(problems.end(), faults.begin(), faults.end());
-  } else if (arguments.backend != gl::Backend::Auto) {
+    Renderer renderer(**context);
+    found = examine(renderer, registry);
+    problems.insert(problems.end(), found.faults.begin(), found.faults.end());
+    if (arguments.has("page"))
+      if (const Diagnostics faults = found.faults.empty() ? writePage(arguments, **context, renderer, libraries, found.cards) : found.faults; !faults.empty())
+        return badInput(faults);
+  } else if (arguments.backend != gl::Backend::Auto || arguments.has("page")) {
     log::report(context.diagnostics());
     return kNoContext;
   } else {
     log::report(warning("glint models", "without OpenGL no model's GLSL was compiled", context.diagnostics()[0].what));
+    for (const ModelPtr& model : registry.all())
+      if (auto kept = keptHealth(*model)) found.cards.emplace(model->id, std::move(*kept));
   }
+  const auto cardOf = [&](const ModelPtr& model) -> const ModelHealth* {
+    const auto card = found.cards.find(model->id);
+    return card == found.cards.end() ? nullptr : &card->second;
+  };
   const std::vector<Term> library = terms();
   if (arguments.json) {
     ordered_json document{{"models", ordered_json::array()}, {"terms", ordered_json::array()}};
-    for (const ModelPtr& model : registry.all()) document["models"].push_back(modelJson(*model));
+    for (const ModelPtr& model : registry.all()) document["models"].push_back(modelJson(*model, cardOf(model)));
     for (const Term& term : library)
       document["terms"].push_back({{"kind", name(term.kind)}, {"name", term.name}, {"doc", term.doc}});
     document["problems"] = problemsJson(problems);
     fmt::print("{}\n", document.dump(2, ' ', false, ordered_json::error_handler_t::replace));
   } else {
-    for (const ModelPtr& model : registry.all()) printModel(*model);
+    for (const ModelPtr& model : registry.all()) printModel(*model, cardOf(model));
     for (const TermKind kind : {TermKind::D, TermKind::V, TermKind::F, TermKind::Diffuse})
       fmt::print("terms {:<10}{}\n", name(kind), fmt::join(termNames(kind), ", "));
   }
@@ -132,8 +188,9 @@ int run(const Arguments& arguments) {
 extern const Command kModelsCommand;
 const Command kModelsCommand = {
     .name = "models",
-    .summary = "List the shading models and terms, with parameters, claims, citations; exit 1 when any has a problem",
-    .examples = {"glint models", "glint models --json", "glint models --models-dir my-models"},
+    .summary = "List the shading models and terms, with health, parameters, claims, citations; exit 1 when any has a problem",
+    .options = {{"--page", "DIR", "also write a page that shows them, DIR/README.md, with a picture for each"}},
+    .examples = {"glint models", "glint models --json", "glint models --page models-page", "glint models --models-dir my-models"},
     .run = run,
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/keys.h"
+#include "app/editor/model_row.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
 #include "app/panels/panel.h"
@@ -43,6 +44,7 @@ Editor::Editor(gl::Context& context, EditorOptions options) : context_(context),
   setUpKeyMap();
   renderer_ = std::make_unique<ImGuiRenderer>();
   models_ = std::make_unique<ModelRegistry>(modelFolders(options_), options_.modelFiles);
+  terms_ = glint::terms();
   const bool remembers = !options_.configFolder.empty();
   document_ = std::make_unique<Document>(nodes_, options_.configFolder);
   for (const PanelInfo& info : panelTable()) panels_.push_back(info.make());
@@ -52,14 +54,16 @@ Editor::Editor(gl::Context& context, EditorOptions options) : context_(context),
   }
   restoreSession();
   loadStandard();
-  auto shared = context_.createShared();
-  render_ = std::make_unique<RenderThread>(std::move(*shared), nodes_, functions_, [this] {
+  const auto wake = [this] {
     if (options_.wake) options_.wake();
-  });
+  };
+  render_ = std::make_unique<RenderThread>(std::move(*context_.createShared()), nodes_, functions_, wake);
+  health_ = std::make_unique<HealthWorker>(std::move(*context_.createShared()), [this] { return render_->working(); }, wake);
 }
 
 Editor::~Editor() {
   storeSession();
+  health_.reset();
   render_.reset();
   context_.makeCurrent();
   panels_.clear();
@@ -93,7 +97,7 @@ void Editor::loadStandard() {
   std::erase_if(preview.materials, [&](const std::string& name) { return !has(name.c_str()); });
   if (std::string_view(first) != "aluminium" && has("aluminium"))
     preview.materials.insert(preview.materials.begin(), "aluminium");
-  std::erase_if(preview.models, [&](const std::string& id) { return !models_->find(id); });
+  std::erase_if(preview.models, [&](const std::string& row) { return !models_->find(modelRow(row).id); });
   document_->startNew(std::move(material), preview);
 }
 
@@ -104,20 +108,12 @@ GraphContext Editor::graphContext() const {
 
 void Editor::setScale(float scale) { options_.scale = scale; }
 
-void Editor::checkModels() {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - lastModelCheck_ < std::chrono::milliseconds(240)) return;
-  lastModelCheck_ = now;
-  if (!models_->refresh()) return;
-  ++modelsRevision_;
-  modelsChanged_ = true;
-}
-
 bool Editor::hasNews() {
   checkModels();
   const auto progress = render_->progress();
   const std::string text = progress ? progress->what + std::to_string(int(progress->fraction * 100)) : "";
   bool news = std::exchange(modelsChanged_, false) || render_->hasFinished();
+  news |= health_->takeNews();
   if (text != progressShown_) news = true;
   progressShown_ = text;
   // A message that has had its time.
@@ -189,8 +185,9 @@ void Editor::postRequest() {
   const auto ask = [&](const std::string& id) {
     if (ModelPtr found = models_->find(id)) named[id] = std::move(found);
   };
-  for (const std::string& id : document_->preview().models) ask(id);
+  for (const std::string& row : document_->preview().models) ask(modelRow(row).id);
   ask(document_->material().model);
+  wantHealth();
   render_->post({.serial = ++serial_, .material = postedMaterial_, .document = document_->identity(), .materialRevision = materialRevision_,
                  .preview = document_->preview(), .namedFiles = document_->namedFiles(),
                  .models = models_->all(), .named = std::move(named), .modelsRevision = modelsRevision_,
@@ -320,40 +317,6 @@ void Editor::addTexture(const fs::path& file, std::optional<Position> at) {
     revealed_ = made;
   }
   layout_.show("Graph");
-}
-
-void Editor::installModel(const fs::path& file) {
-  Diagnostics warnings;
-  auto model = readModelFile(file, warnings);
-  if (!model) return say(model.diagnostics().front().text(), true);
-  const auto compare = [&] {
-    Preview preview = document_->preview();
-    if (std::find(preview.models.begin(), preview.models.end(), model->id) != preview.models.end()) return;
-    preview.models.push_back(model->id);
-    document_->setPreview("Compare " + model->title, preview);
-  };
-  std::error_code ignored;
-  if (const ModelPtr known = models_->find(model->id); known && fs::equivalent(known->file, file, ignored)) {
-    compare();
-    return say("Comparing " + model->id + ", from " + file.string());
-  }
-  if (options_.configFolder.empty()) return say("this editor has no folder for models; start it with --models-dir", true);
-  const fs::path folder = options_.configFolder / "models", target = folder / file.filename();
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  std::vector<fs::path> files = {file};
-  if (!model->sourceFile.empty()) files.insert(files.begin(), model->sourceFile);
-  for (const fs::path& source : files) {
-    const auto text = readFile(source, kLargestModelFile);
-    if (!text) return say(text.diagnostics().front().text(), true);
-    const fs::path copy = folder / fs::relative(source, fs::absolute(file, problem).parent_path(), problem);
-    fs::create_directories(copy.parent_path(), problem);
-    const Diagnostics problems = writeFileAtomic(copy, text.value());
-    if (!problems.empty()) return say(problems.front().text(), true);
-  }
-  if (models_->refresh()) ++modelsRevision_;
-  compare();
-  say(warnings.empty() ? "Installed model " + model->id + " to " + target.string() : warnings.front().text(), !warnings.empty());
 }
 
 void Editor::browse(FileBrowser::Request request) { files_.open(std::move(request)); }

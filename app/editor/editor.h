@@ -15,12 +15,15 @@
 #include "app/editor/document.h"
 #include "app/editor/file_browser.h"
 #include "app/editor/fonts.h"
+#include "app/editor/health_worker.h"
 #include "app/editor/imgui_renderer.h"
 #include "app/editor/layout.h"
+#include "app/editor/plugin_saver.h"
 #include "app/editor/render_thread.h"
 #include "app/editor/session.h"
 #include "materials/model_registry.h"
 #include "materials/node_registry.h"
+#include "materials/terms.h"
 
 namespace glint {
 
@@ -66,6 +69,8 @@ class Editor {
   const ModelRegistry& models() const { return *models_; }
   GraphContext graphContext() const;
   RenderThread& render() { return *render_; }
+  HealthWorker& health() { return *health_; }
+  const std::vector<Term>& terms() const { return terms_; }   // that mixes are made of
   const FrameResult& shown() const { return render_->shown(); }
   Fonts& fonts() { return fonts_; }
   Session& session() { return session_; }
@@ -88,6 +93,14 @@ class Editor {
   void browseMesh();
   void browseEnvironment();
   void addTexture(const std::filesystem::path&, std::optional<Position>);
+  // Rows of the comparison (model_row.h), each change one step.
+  void addRow(const std::string& row);
+  void removeRow(const std::string& row);
+  void changeRow(const std::string& row, const std::string& to);
+  void useModel(const std::string& id);                // for this material
+  // Asks for an id and makes the mix a plugin, which then stands where the mix did: as the material's model, or as
+  // this row.
+  void saveMix(const ModelMix&, std::optional<std::string> row);
 
   // Commands of menus and shortcuts.
   void newDocument();
@@ -100,6 +113,9 @@ class Editor {
 
  private:
   void checkModels();
+  void modelsRead();
+  void wantHealth();
+  void drawPluginSaver();
   void drawMenu();
   void drawStatus(ImVec2 low, ImVec2 high);
   void drawDialogs();
@@ -124,10 +140,15 @@ class Editor {
   NodeRegistry nodes_;
   FunctionLibrary functions_;
   std::unique_ptr<ModelRegistry> models_;
-  uint64_t modelsRevision_ = 1;
+  uint64_t modelsRevision_ = 1, healthRevision_ = 0;
+  std::vector<Term> terms_;
   Session session_;
   std::unique_ptr<Document> document_;
   std::unique_ptr<RenderThread> render_;
+  std::unique_ptr<HealthWorker> health_;
+  PluginSaver pluginSaver_;
+  ModelMix savedMix_;
+  std::optional<std::string> savedRow_;
   Layout layout_;
   FileBrowser files_;
   std::vector<std::unique_ptr<Panel>> panels_;

@@ -27,23 +27,6 @@ bool menu(const char* label) {
   return open;
 }
 
-// A centred question; returns whether it is open, between which and EndPopup() it is filled.
-bool question(const char* title, bool& wanted) {
-  if (std::exchange(wanted, false)) ImGui::OpenPopup(title);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y * 0.42f}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(theme::px(460), display.x * 0.9f), 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(18), theme::px(16)});
-  const bool open = ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar |
-                                                              ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PopStyleVar();
-  if (open) {
-    ui::heading(title);
-    ImGui::Dummy({0, theme::px(4)});
-  }
-  return open;
-}
-
 }  // namespace
 
 // Escape closes the topmost menu, list or picker; questions and dialogs look for it themselves.
@@ -252,7 +235,7 @@ void Editor::drawRecoverable() {
 void Editor::drawDialogs() {
   ui::pushScope("Dialog");
   const float width = theme::px(104);
-  if (question("Save your changes?", askOpen_)) {
+  if (ui::beginQuestion("Save your changes?", askOpen_)) {
     ui::textDim("\u201c" + document_->name() + "\u201d has changes that are not saved. They are lost if you go on without saving.");
     ImGui::Dummy({0, theme::px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 3 * width - 2 * ImGui::GetStyle().ItemSpacing.x - theme::px(18));
@@ -273,12 +256,12 @@ void Editor::drawDialogs() {
     ImGui::EndPopup();
   }
 
-  if (question("Recover unsaved work?", recoverOpen_)) {
+  if (ui::beginQuestion("Recover unsaved work?", recoverOpen_)) {
     drawRecoverable();
     ImGui::EndPopup();
   }
 
-  if (question("Keys and mouse", keysOpen_)) {
+  if (ui::beginQuestion("Keys and mouse", keysOpen_)) {
     static constexpr std::pair<const char*, const char*> kKeys[] = {
         {"Undo, redo", "Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y"},
         {"New, open, save, save as", "Ctrl+N, Ctrl+O, Ctrl+S, Ctrl+Shift+S"},
@@ -311,7 +294,7 @@ void Editor::drawDialogs() {
     ImGui::EndPopup();
   }
 
-  if (question("About Glint", aboutOpen_)) {
+  if (ui::beginQuestion("About Glint", aboutOpen_)) {
     ui::textDim("A material editor that shows the difference between shading models.");
     ImGui::Dummy({0, theme::px(4)});
     ui::textSmall("Version " GLINT_VERSION "\nOpenGL " + context_.info().version + "\n" + context_.info().renderer);
@@ -321,6 +304,7 @@ void Editor::drawDialogs() {
     ImGui::EndPopup();
   }
   files_.draw();
+  drawPluginSaver();
   ui::popScope();
 }
 

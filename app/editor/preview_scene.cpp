@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/model_row.h"
 #include "materials/graph_compile.h"
 #include "materials/material_library.h"
 #include "renderer/environment.h"
@@ -100,6 +101,7 @@ void PreviewScene::update(const FrameRequest& request) {
   meshMaterials.clear();
   usedSurfaces_.clear();
   states.clear();
+  rows.clear();
   ownRow = -1;
   if (textures_.refresh()) surfaces_.clear();
   if (document_ != request.document) {
@@ -235,13 +237,13 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
     }
   }
   // The material as it is, whichever models it is compared in.
-  std::vector<std::string> ids = preview.models;
-  if (std::find(ids.begin(), ids.end(), request.material->model) == ids.end()) ids.push_back(request.material->model);
+  std::vector<std::string> texts = preview.models;
+  if (std::find(texts.begin(), texts.end(), request.material->model) == texts.end()) texts.push_back(request.material->model);
   if (preview.columns == Preview::Columns::Sweep) {
-    bool any = false;
-    for (const std::string& id : ids)
-      for (const ModelPtr& one : request.models)
-        if (one->id == id) any |= takesSetting(*request.material, *one, preview.sweepName);
+    const bool any = std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+      const auto one = request.named.find(modelRow(text).id);
+      return one != request.named.end() && takesSetting(*request.material, *one->second, preview.sweepName);
+    });
     if (!any)
       append(problems, {error("sweep", "no cell has a parameter '" + preview.sweepName + "'",
                               "choose an attribute, or a parameter of the material or of a model")});
@@ -252,17 +254,21 @@ void PreviewScene::buildComparison(const FrameRequest& request, const Scene& sta
   std::vector<ColumnName> names;
   for (const Column& column : columns) names.push_back(column.title);
   made.columnTitles = distinctTitles(names);
-  for (const std::string& id : ids) {
-    const ModelPtr shading = model(request, id, id == request.material->model ? request.material->modelPlace() : "comparison");
-    if (id == request.material->model) ownRow = made.rows();
-    made.rowTitles.push_back(shading ? shading->title : id);
+  for (const std::string& text : texts) {
+    const ModelRow row = modelRow(text);
+    const ModelPtr shading = model(request, row.id, text == request.material->model ? request.material->modelPlace() : "comparison");
+    if (text == request.material->model) ownRow = made.rows();
+    made.rowTitles.push_back(shading ? shading->title : row.id);
+    rows.push_back({text, shading, row.note()});
     for (const Column& column : columns) {
       Scene cell = stage;
       State& state = states.emplace_back();
+      std::vector<Setting> settings = row.parameters;
+      settings.insert(settings.end(), column.settings.begin(), column.settings.end());
       const SurfaceMaterial* drawn = nullptr;
-      if (!shading) state = {State::NotDrawn, "unknown shading model '" + id + "'"};
+      if (!shading) state = {State::NotDrawn, "unknown shading model '" + row.id + "'"};
       else if (!column.material) state = {State::NotDrawn, firstFault(materials_[column.slot].problems)};
-      else drawn = surface(column.slot + " on " + id, column.material, column.revision, shading, column.settings, state);
+      else drawn = surface(column.slot + " on " + text, column.material, column.revision, shading, settings, state);
       if (drawn) {
         cell.materials.push_back(*drawn);
         cell.instances.push_back({sphere, glm::mat4(1), 0});

@@ -37,6 +37,13 @@ struct FrameRequest {
   bool wantCode = false;            // the generated GLSL is being looked at
 };
 
+// What a row of the comparison is, beside its title.
+struct RowInfo {
+  std::string text;                 // as model_row.h writes it
+  ModelPtr model;                   // null when no file has it
+  std::string note;                 // parameters of its own
+};
+
 class PreviewScene {
  public:
   explicit PreviewScene(const NodeRegistry&, const FunctionLibrary&);
@@ -48,6 +55,7 @@ class PreviewScene {
   bool comparison = false;
   Comparison cells;                 // when comparison
   int ownRow = -1;                  // the one whose model is the edited material's; -1 when not a comparison
+  std::vector<RowInfo> rows;        // beside the titles
   // What stands in each cell (row by row), or in the whole picture.
   struct State {
     enum { Drawn, LastGood, NotDrawn } kind = Drawn;

@@ -195,12 +195,14 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
                       {0, 0, size.x, size.y}});
   }
   result.serial = request.serial;
+  if (settings_.view == kFurnaceView && !request.dragging) result.furnace = renderer.furnaceShares(views_, size, settings_.compensate);
   result.texture = keep(renderer.drawToTexture(views_, size, settings_), size);
   result.size = size;
   result.layoutSize = request.size;
   result.comparison = scene.comparison;
   result.rowTitles = scene.cells.rowTitles;
   result.columnTitles = scene.cells.columnTitles;
+  result.rows = scene.rows;
   result.ownRow = scene.ownRow;
   result.states = scene.states;
   result.center = scene.center;

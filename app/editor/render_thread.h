@@ -25,7 +25,9 @@ struct FrameResult {
   ComparisonLayout layout;          // in pixels of the request's size
   glm::ivec2 layoutSize{0};
   std::vector<std::string> rowTitles, columnTitles;
+  std::vector<RowInfo> rows;        // PreviewScene::rows
   int ownRow = -1;                  // PreviewScene::ownRow
+  std::vector<Renderer::FurnaceShare> furnace;   // of each view, when that is what is shown
   std::vector<PreviewScene::State> states;
   glm::vec3 center{0};
   float radius = 1;

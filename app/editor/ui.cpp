@@ -367,6 +367,22 @@ bool row(const std::string& name, const std::string& title, const std::string& d
   return pressed;
 }
 
+bool beginQuestion(const char* title, bool& wanted) {
+  if (std::exchange(wanted, false)) ImGui::OpenPopup(title);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y * 0.42f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(theme::px(460), display.x * 0.9f), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme::px(18), theme::px(16)});
+  const bool open = ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar |
+                                                              ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  if (open) {
+    heading(title);
+    ImGui::Dummy({0, theme::px(4)});
+  }
+  return open;
+}
+
 void diagnostic(const Diagnostic& d) {
   const bool wrong = d.severity == Severity::Error;
   const ImVec2 at = ImGui::GetCursorScreenPos();

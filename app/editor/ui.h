@@ -73,6 +73,10 @@ bool segments(const std::string& label, int& index, std::span<const std::string>
 // A row of a list: title, and dim detail on the right; true when clicked.
 bool row(const std::string& name, const std::string& title, const std::string& detail, bool selected);
 
+// A centred question, asked once `wanted` is set; returns whether it is open: then it is filled, and ended by
+// ImGui::EndPopup().
+bool beginQuestion(const char* title, bool& wanted);
+
 void diagnostic(const Diagnostic&);
 
 }  // namespace glint::ui

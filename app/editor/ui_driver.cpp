@@ -42,6 +42,16 @@ bool UiDriver::settle(double seconds) {
   }
 }
 
+bool UiDriver::awaitHealth(double seconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (!editor_->health().settled()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  frames(3);
+  return true;
+}
+
 void UiDriver::step(InputEvent event) {
   input_.push(std::move(event));
   do frames();

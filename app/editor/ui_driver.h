@@ -24,6 +24,8 @@ class UiDriver {
   void frames(int count = 1);
   // Until the render thread has nothing left to do, at most `seconds`; false when it still works.
   bool settle(double seconds = 60);
+  // Until every model's badge has its verdict, likewise.
+  bool awaitHealth(double seconds = 60);
 
   // Input, one change a frame. Positions are framebuffer pixels.
   void move(ImVec2);

@@ -2,6 +2,9 @@
 #include <algorithm>
 
 #include "app/editor/editor.h"
+#include "app/editor/health_badge.h"
+#include "app/editor/model_picker.h"
+#include "app/editor/model_row.h"
 #include "app/editor/node_values.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
@@ -75,45 +78,54 @@ class PropertiesPanel final : public Panel {
   void drawModel(Editor& editor) {
     Document& document = editor.document();
     const Material& material = document.material();
-    const auto all = editor.models().all();
-    std::vector<std::string> titles, docs;
-    int index = -1;
-    for (size_t i = 0; i < all.size(); ++i) {
-      titles.push_back(all[i]->title);
-      docs.push_back(all[i]->doc);
-      if (all[i]->id == material.model) index = int(i);
-    }
-    // A mix of terms is a model without a file.
+    ui::beginProperty("Model", "How the surface answers light; the sign says whether it keeps the laws of light");
     const ModelPtr now = editor.models().find(material.model);
-    if (index < 0 && now) {
-      index = int(titles.size());
-      titles.push_back(now->title);
-      docs.push_back(now->doc);
-    }
-    ui::beginProperty("Model", index >= 0 ? docs[size_t(index)] : "No model of that id is registered");
-    if (index < 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
-    const bool chosen = ui::choice("Model", index, titles, docs);
-    if (index < 0) {
+    const float badge = now ? 2 * healthSignRadius() + theme::px(2) + ImGui::GetStyle().ItemSpacing.x : 0;
+    ImGui::PushItemWidth(ImGui::CalcItemWidth() - badge);
+    std::string id = material.model;
+    const bool chosen = modelPicker(editor, "Model", id);
+    ImGui::PopItemWidth();
+    if (now) {
+      ImGui::SameLine();
+      healthBadge(editor, "Model", now);
+    } else {
+      ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+      ImGui::TextUnformatted("no such model is registered");
       ImGui::PopStyleColor();
-      ui::textDim(material.model + " is not registered");
     }
     ui::endProperty();
-    if (chosen && size_t(index) < all.size()) {
-      const std::string id = all[size_t(index)]->id;
-      editor.refused(document.edit("Model " + id, [&](GraphEditor& graph) { return graph.setModel(id); }));
-    }
+    if (chosen) editor.useModel(id);
     const ModelPtr model = editor.models().find(document.material().model);
     if (!model) return;
-    for (const ModelParameter& parameter : model->parameters) {
-      const auto given = material.modelParameters.find(parameter.name);
-      Value value = given == material.modelParameters.end() ? parameter.standard : given->second;
-      value.type = parameter.standard.type;
-      const std::string title = parameter.title.empty() ? parameter.name : parameter.title;
-      if (!ui::valueProperty(title, parameter.doc, value, parameter.minimum, parameter.maximum, parameter.standard)) continue;
-      editor.refused(document.edit("Set " + title, [&](GraphEditor& graph) {
-        return graph.setModelParameter(parameter.name, value == parameter.standard ? std::nullopt : std::optional(value));
-      }));
+    if (isModelMix(model->id)) drawMix(editor, model);
+    parameterSliders(*model,
+                     [&](const ModelParameter& parameter) {
+                       const auto given = material.modelParameters.find(parameter.name);
+                       return given == material.modelParameters.end() ? parameter.standard : given->second;
+                     },
+                     [&](const ModelParameter& parameter, const Value& value) {
+                       editor.refused(document.edit("Set " + parameter.name, [&](GraphEditor& graph) {
+                         return graph.setModelParameter(parameter.name, value == parameter.standard ? std::nullopt : std::optional(value));
+                       }));
+                     });
+  }
+
+  // The terms of a mix, and what to do with it.
+  static void drawMix(Editor& editor, const ModelPtr& model) {
+    auto mix = parseModelMix(model->id);
+    if (!mix) return;
+    if (mixPickers(editor, *mix)) editor.useModel(mix->id());
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (ui::button("Add as row", false, half)) {
+      ModelRow row{model->id, {}};
+      for (const auto& [name, value] : editor.document().material().modelParameters)
+        if (const ModelParameter* parameter = model->parameter(name)) row.set(*parameter, value);
+      editor.addRow(row.text());
     }
+    ui::tooltip("Keeps this mix in the comparison while you try others");
+    ImGui::SameLine();
+    if (ui::button("Save as plugin\u2026", false, half)) editor.saveMix(*mix, std::nullopt);
+    ui::tooltip("A short file, listed like any other model");
   }
 
   // The material's own parameters, wherever their nodes lie.

@@ -4,9 +4,12 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/keys.h"
+#include "app/editor/model_row.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
+#include "app/health_text.h"
 #include "app/panels/panel.h"
+#include "app/panels/row_labels.h"
 #include "materials/attributes.h"
 #include "renderer/environment.h"
 #include "renderer/mesh.h"
@@ -22,11 +25,13 @@ class ViewportPanel final : public Panel {
   enum class Drag { None, Orbit, Pan, Environment };
   void toolbar(Editor&);
   void picture(Editor&, ImVec2 low, ImVec2 size);
-  void titles(const FrameResult&, ImVec2 low, ImVec2 size);
+  static void titles(const FrameResult&, ImVec2 low);
+  static void furnace(const FrameResult&, ImVec2 low);
   static void states(const FrameResult&, ImVec2 low);
   void control(Editor&, ImVec2 low, ImVec2 size, bool hovered);
   static void magnify(const FrameResult&, Orbit&, ImVec2 mouse, float factor);
   Drag drag_ = Drag::None;
+  RowLabels rows_;
 };
 
 void ViewportPanel::draw(Editor& editor) {
@@ -39,7 +44,8 @@ void ViewportPanel::draw(Editor& editor) {
   ImGui::InvisibleButton("view", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                            ImGuiButtonFlags_MouseButtonMiddle);
   ui::mark("view");
-  control(editor, low, size, ImGui::IsItemHovered());
+  const bool hovered = ImGui::IsItemHovered();
+  control(editor, low, size, hovered && !rows_.control(editor, hovered && editor.shown().comparison));
 }
 
 void ViewportPanel::toolbar(Editor& editor) {
@@ -74,8 +80,8 @@ void ViewportPanel::toolbar(Editor& editor) {
         std::vector<std::string> names;
         for (const Attribute& attribute : attributes())
           if (attribute.standard.type == ValueType::Float) names.emplace_back(attribute.name);
-        for (const std::string& id : preview.models)
-          if (const ModelPtr model = editor.models().find(id))
+        for (const std::string& row : preview.models)
+          if (const ModelPtr model = editor.models().find(modelRow(row).id))
             for (const ModelParameter& parameter : model->parameters)
               if (std::find(names.begin(), names.end(), parameter.name) == names.end()) names.push_back(parameter.name);
         for (const std::string& name : names)
@@ -85,8 +91,8 @@ void ViewportPanel::toolbar(Editor& editor) {
               preview.sweepFrom = attribute->minimum;
               preview.sweepTo = attribute->maximum;
             }
-            for (const std::string& id : preview.models)
-              if (const ModelPtr model = editor.models().find(id))
+            for (const std::string& row : preview.models)
+              if (const ModelPtr model = editor.models().find(modelRow(row).id))
                 if (const ModelParameter* parameter = model->parameter(name)) {
                   preview.sweepFrom = parameter->minimum;
                   preview.sweepTo = parameter->maximum;
@@ -170,7 +176,11 @@ void ViewportPanel::picture(Editor& editor, ImVec2 low, ImVec2 size) {
     list.PushClipRect(low, high, true);
     list.AddImage(imguiTexture(frame.texture), low, end, {0, 1}, {1, 0});
     states(frame, low);
-    if (frame.comparison) titles(frame, low, size);
+    furnace(frame, low);
+    if (frame.comparison) {
+      titles(frame, low);
+      rows_.draw(editor, frame, low);
+    }
     list.PopClipRect();
   }
   const auto progress = editor.render().progress();
@@ -220,11 +230,34 @@ void ViewportPanel::states(const FrameResult& frame, ImVec2 low) {
   }
 }
 
-void ViewportPanel::titles(const FrameResult& frame, ImVec2 low, ImVec2) {
+// In the white furnace, how much of the light each cell sends back.
+void ViewportPanel::furnace(const FrameResult& frame, ImVec2 low) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImFont* small = ui::fonts().small();
+  const CellGrid& grid = frame.layout.grid;
+  for (size_t i = 0; i < frame.furnace.size(); ++i) {
+    ImVec2 from = low, to = {low.x + float(frame.layoutSize.x), low.y + float(frame.layoutSize.y)};
+    if (frame.comparison && grid.columns > 0) {
+      const glm::ivec4 cell = grid.rectangle(int(i) / grid.columns, int(i) % grid.columns);
+      from = {low.x + float(cell.x), low.y + float(frame.layoutSize.y - cell.y - cell.w)};
+      to = {from.x + float(cell.z), from.y + float(cell.w)};
+    }
+    const std::string text = furnaceText(frame.furnace[i]);
+    const float margin = theme::px(6), inset = theme::px(5);
+    const ImVec2 size = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0, text.c_str());
+    const float width = std::min(size.x, to.x - from.x - 2 * (margin + inset));
+    if (width < theme::px(20) || to.y - from.y < 3 * size.y) continue;
+    const ImVec2 at = {std::round((from.x + to.x - width) / 2), to.y - margin - inset - size.y};
+    list.AddRectFilled({at.x - inset, at.y - theme::px(3)}, {at.x + width + inset, at.y + size.y + theme::px(3)}, theme::grey(20, 215), theme::px(4));
+    ui::elidedText(at, width + 1, theme::kText, text, small);
+    ui::markRect("furnace:" + std::to_string(i), at, {at.x + width, at.y + size.y});
+  }
+}
+
+void ViewportPanel::titles(const FrameResult& frame, ImVec2 low) {
   const CellGrid& grid = frame.layout.grid;
   const float height = float(frame.layoutSize.y);
-  ImFont *bold = ui::fonts().bold(), *regular = ImGui::GetFont(), *small = ui::fonts().small();
+  ImFont* bold = ui::fonts().bold();
   const auto widthIn = [](ImFont* font, const std::string& text) { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x; };
   for (int column = 0; column < grid.columns && column < int(frame.columnTitles.size()); ++column) {
     const glm::ivec4 cell = grid.rectangle(0, column);
@@ -234,24 +267,6 @@ void ViewportPanel::titles(const FrameResult& frame, ImVec2 low, ImVec2) {
     const ImVec2 at = {low.x + float(cell.x) + (float(cell.z) - width) / 2, low.y + height - float(cell.y + cell.w) - bold->FontSize - theme::px(7)};
     ui::elidedText(at, width + 1, theme::kText, title, bold);
     ui::markRect("column:" + title, at, {at.x + width, at.y + bold->FontSize});
-  }
-  for (int row = 0; row < grid.rows && row < int(frame.rowTitles.size()); ++row) {
-    const glm::ivec4 cell = grid.rectangle(row, 0);
-    const std::string& title = frame.rowTitles[size_t(row)];
-    const bool own = row == frame.ownRow;
-    const float right = low.x + float(cell.x) - theme::px(10), room = right - low.x - theme::px(6), width = std::min(room, widthIn(regular, title));
-    const float middle = low.y + height - float(cell.y) - float(cell.w) / 2;
-    // The one that the material is made for; a second line says so where there is one.
-    const std::string note = "this material\u2019s";
-    const bool two = own && float(cell.w) > regular->FontSize + small->FontSize + theme::px(2);
-    const float top = middle - (regular->FontSize + (two ? small->FontSize + theme::px(1) : 0)) / 2;
-    ui::elidedText({right - width, top}, width + 1, own ? theme::kText : theme::grey(190), title, regular);
-    if (two) list.AddText(small, small->FontSize, {std::round(right - widthIn(small, note)), std::round(top + regular->FontSize + theme::px(1))}, theme::kAccent, note.c_str());
-    if (own) {
-      const float x = low.x + float(cell.x) - theme::px(4), y = low.y + height - float(cell.y);
-      list.AddRectFilled({x, y - float(cell.w)}, {x + theme::px(2), y}, theme::kAccent);
-    }
-    ui::markRect(own ? "own row:" + title : "row:" + title, {right - width, top}, {right, top + regular->FontSize});
   }
 }
 

@@ -33,9 +33,39 @@ TEST(ModelsCommand, Json) {
   ASSERT_TRUE(document.is_object());
   ASSERT_GE(document["models"].size(), 5u);
   for (const auto& model : document["models"])
-    for (const char* key : {"id", "title", "file", "parameters", "terms", "claims", "cite"})
+    for (const char* key : {"id", "title", "file", "parameters", "terms", "claims", "cite", "health"})
       EXPECT_TRUE(model.contains(key)) << model;
+  for (const auto& model : document["models"]) {
+    EXPECT_NE(model["health"]["verdict"], "red") << model;
+    EXPECT_EQ(model["health"]["laws"][0]["law"], "compiles");
+  }
   EXPECT_TRUE(document["problems"].empty());
+}
+
+// Listed with its verdict, measured or not.
+TEST(ModelsCommand, SaysTheVerdict) {
+  write("mine/bright.glsl", "/*glint {\"id\": \"bright\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"},\n"
+                            "\"claims\": {\"energyConserving\": true}} */\nfloat V(Shading s, Parameters p) { return 1.0; }\n");
+  write("mine/broken.glsl", "/*glint {\"id\": \"broken\", \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n"
+                            "float D(Shading s, Parameters p) { return s.nonsense; }\n");
+  for (int i = 0; i < 2; ++i) {  // measured, and from disk
+    const auto ran = glint({"models", "--models-dir", "mine"});
+    EXPECT_THAT(ran.out, HasSubstr("red: gains energy against its claim: the specular part reflects 3.999 times"));
+    EXPECT_THAT(ran.out, testing::ContainsRegex("red: .*nonsense.*mine/broken.glsl:2"));
+    EXPECT_THAT(ran.out, HasSubstr("amber: gains energy"));
+  }
+}
+
+TEST(ModelsCommand, WritesAPage) {
+  const auto ran = glint({"models", "--page", "page", "--quiet"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  std::ifstream in(scratch() / "page/README.md");
+  const std::string page((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_THAT(page, testing::AllOf(HasSubstr("`burley` \u26a0\ufe0f **amber**: gains energy"), HasSubstr("![Burley (GTR) on a row of roughness](pictures/burley.png)"),
+                                   HasSubstr("Walter et al. 2007")));
+  const auto pictures = filesIn(scratch() / "page/pictures");
+  EXPECT_THAT(pictures, testing::Contains("burley.png"));
+  EXPECT_EQ(pictures.size(), glint({"models", "--json"}).json()["models"].size());
 }
 
 TEST(ModelsCommand, NamesProblemsAndListsTheRest) {
@@ -204,6 +234,22 @@ TEST(BrdfFiles, WhatIsWrongIsRedAndNamed) {
   const auto typo = glint({"render", "--models-dir", "mine", "--model", "typo", "--size", "8x8", "-o", "typo.png"});
   EXPECT_EQ(typo.code, 2);
   EXPECT_THAT(typo.err, HasSubstr("mine/typo.brdf:6: `nothing' undeclared"));
+}
+
+TEST(CompareCommand, TheWhiteFurnaceHasNumbers) {
+  const auto ran = glint({"compare", "--models", "burley,ggx", "--sweep", "roughness=0.2..1:2", "--view", "furnace", "--cell", "64", "-o", "furnace.png",
+                          "--report", "furnace.html", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto cells = ran.json()["furnace"];
+  ASSERT_EQ(cells.size(), 4u);
+  EXPECT_EQ(cells[1]["row"], "Burley (GTR)");
+  EXPECT_EQ(cells[1]["column"], "1");
+  EXPECT_GT(cells[0]["most"], 1.1);
+  EXPECT_LT(cells[3]["mean"], 0.7);
+  EXPECT_NEAR(cells[3]["least"], 0.3069, 0.01);
+  std::ifstream in(scratch() / "furnace.html");
+  const std::string html((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_THAT(html, testing::AllOf(HasSubstr("<figcaption>mean 0."), HasSubstr("class=\"badge amber\""), HasSubstr("class=\"badge green\""), HasSubstr("gains energy")));
 }
 
 TEST(NewModelCommand, WritesOneThatWorks) {

@@ -62,7 +62,7 @@ TEST(Sheet, CutsNoTextAtAnySizeOfCell) {
 
 TEST(Report, IsOneFileAndEscapesWhatItIsTold) {
   const std::vector<SheetRow> rows = {{"<script>", "", {plain(8, 28)}, {}, false}};
-  const auto html = comparisonReport("<title> & \"more\"", rows, {"", {"a&b"}, "", 0}, "ggx", std::vector<ReportNumbers>{{"r", "c", 0.5, 0.25, 1}}, {{"Command", "glint '<x>'"}});
+  const auto html = comparisonReport("<title> & \"more\"", rows, {"", {"a&b"}, "", 0}, "ggx", std::vector<ReportNumbers>{{"r", "c", 0.5, 0.25, 1}}, {}, {{"Command", "glint '<x>'"}});
   ASSERT_TRUE(html);
   EXPECT_EQ(html->find("<script"), std::string::npos);
   EXPECT_NE(html->find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);

@@ -5,67 +5,18 @@
 #include <fstream>
 #include <thread>
 
-#include "app/editor/ui_driver.h"
 #include "materials/base/files.h"
 #include "materials/material_json.h"
 #include "materials/material_library.h"
 #include "renderer/image_io.h"
+#include "tests/editor/editor_fixture.h"
 #include "tests/support/gltf_builder.h"
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-// One context and one editor for all tests of this process: each begins with a document of its own.
-class EditorTest : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    fs::remove_all(folder());
-    fs::create_directories(folder());
-    auto made = gl::Context::create({.backend = gl::Backend::OsMesa});
-    ASSERT_TRUE(made) << made.diagnostics()[0].text();
-    context_ = std::move(*made);
-    driver_ = std::make_unique<UiDriver>(*context_, EditorOptions{.configFolder = folder() / "config"}, glm::ivec2(1280, 1100));
-  }
-  static void TearDownTestSuite() {
-    driver_.reset();
-    context_.reset();
-  }
-  static fs::path folder() { return fs::path(GLINT_TESTS_OUT) / "editor"; }
-
-  UiDriver& ui() { return *driver_; }
-  Document& document() { return driver_->editor().document(); }
-  // A new material that looks at one small sphere, so that frames are quick.
-  void begin() {
-    Preview preview;
-    preview.subject = Preview::Subject::Mesh;
-    preview.mesh = "sphere";
-    preview.environment = "none";
-    preview.lights.push_back({});
-    document().startNew(newMaterial("trial"), preview);
-    driver_->editor().selection().clear();
-    driver_->editor().layout().reset();
-    ui().frames(4);
-  }
-  void addNode(const std::string& search) {
-    ui().click("Graph/Add node");
-    ui().type(search);
-    ui().key(Key::Enter);
-    ui().frames(3);
-  }
-  NodeId only(const std::string& kind) {
-    for (const auto& [id, node] : document().material().nodes)
-      if (node.kind == kind) return id;
-    ADD_FAILURE() << "no node of kind " << kind;
-    return "";
-  }
-
-  static std::unique_ptr<gl::Context> context_;
-  static std::unique_ptr<UiDriver> driver_;
-};
-std::unique_ptr<gl::Context> EditorTest::context_;
-std::unique_ptr<UiDriver> EditorTest::driver_;
+using testing_support::EditorTest;
 
 TEST_F(EditorTest, AddsWiresUndoesSavesAndReopens) {
   begin();
@@ -367,11 +318,7 @@ TEST_F(EditorTest, AMaterialThatCannotBeDrawnSaysSo) {
   };
   EXPECT_EQ(states(), (std::vector<int>{State::Drawn, State::Drawn, State::NotDrawn, State::NotDrawn}));
   // A model that is gone keeps its place in the list, so that it can be left out.
-  ui().editor().layout().show("Models");
-  ui().frames(3);
-  const ImVec2 models = ui().at("tab:Models");
-  ui().wheel({models.x, models.y + 150}, -60);  // it stands at the list's end
-  ui().frames(3);
+  showModels();
   ASSERT_TRUE(ui().has("Models/gone-model"));
   ui().click("Models/gone-model");
   EXPECT_EQ(document().preview().models, std::vector<std::string>{"ggx"});
