@@ -3,9 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "materials/base/files.h"
 #include "materials/model_registry.h"
 #include "renderer/gl/context.h"
-#include "renderer/model_health.h"
+#include "renderer/model_health_cache.h"
 
 namespace glint {
 namespace {
@@ -48,7 +49,46 @@ TEST_F(Laws, EveryModelKeepsThoseItClaims) {
   const ModelRegistry registry;
   ASSERT_TRUE(registry.problems().empty()) << text(registry.problems());
   ASSERT_GE(registry.all().size(), 5u);
-  for (const ModelPtr& model : registry.all()) EXPECT_NE(checkHealth(*model).verdict(), Verdict::Red) << model->id << ": " << card(*model);
+  const auto page = readFile(std::filesystem::path(GLINT_TESTS_DIR) / "../shaders/models/README.md");
+  ASSERT_TRUE(page) << "make it: glint models --page shaders/models";
+  size_t sections = 0;
+  for (size_t at = 0; (at = page->find("\n## ", at)) != std::string::npos; ++at) ++sections;
+  EXPECT_EQ(sections, registry.all().size()) << "make the page anew: glint models --page shaders/models";
+  for (const ModelPtr& model : registry.all()) {
+    const Verdict verdict = checkHealth(*model).verdict();
+    EXPECT_NE(verdict, Verdict::Red) << model->id << ": " << card(*model);
+    // The page that shows them says the same of each.
+    const size_t at = page->find("\n`" + model->id + "` ");
+    ASSERT_NE(at, std::string::npos) << model->id << " is not on the page: make it anew with glint models --page shaders/models";
+    const std::string line = page->substr(at + 1, page->find('\n', at + 1) - at - 1);
+    EXPECT_NE(line.find("**" + std::string(name(verdict)) + "**"), std::string::npos)
+        << line << ": make the page anew with glint models --page shaders/models";
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(GLINT_TESTS_DIR) / "../shaders/models/pictures" / (model->id + ".png")));
+  }
+}
+
+// A card comes back from disk as it was measured; what it follows from is its key.
+TEST_F(Laws, CardsAreKept) {
+  const auto plugin = [](const std::string& claims) {
+    auto model = parseModel("kept.glsl", "/*glint {\"id\": \"kept\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"}, \"claims\": " + claims +
+                                             "} */\nfloat V(Shading s, Parameters p) { return 0.3; }\n");
+    EXPECT_TRUE(model);
+    return std::move(*model);
+  };
+  const ShadingModel model = plugin("{}");
+  const ModelHealth measured = healthOf(model);
+  EXPECT_EQ(measured.verdict(), Verdict::Amber);
+  const auto kept = keptHealth(model);
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->laws.size(), measured.laws.size());
+  for (size_t i = 0; i < kept->laws.size(); ++i) {
+    const LawResult &a = kept->laws[i], &b = measured.laws[i];
+    EXPECT_EQ(std::tie(a.law, a.verdict, a.claimed, a.value, a.where, a.reason, a.hint),
+              std::tie(b.law, b.verdict, b.claimed, b.value, b.where, b.reason, b.hint));
+  }
+  const ShadingModel claiming = plugin("{\"energyConserving\": true}");
+  EXPECT_NE(healthKey(claiming), healthKey(model));
+  EXPECT_EQ(healthOf(claiming).verdict(), Verdict::Red);
 }
 
 const char* const kVF = R"({"V": "SmithGGX", "F": "Schlick"})";
