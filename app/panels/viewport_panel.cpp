@@ -45,7 +45,8 @@ void ViewportPanel::draw(Editor& editor) {
                                            ImGuiButtonFlags_MouseButtonMiddle);
   ui::mark("view");
   const bool hovered = ImGui::IsItemHovered();
-  control(editor, low, size, hovered && !rows_.control(editor, hovered && editor.shown().comparison));
+  const bool taken = rows_.control(editor, hovered && editor.shown().comparison);
+  control(editor, low, size, hovered && !taken);
 }
 
 void ViewportPanel::toolbar(Editor& editor) {
