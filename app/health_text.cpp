@@ -49,7 +49,8 @@ std::string furnaceText(const Renderer::FurnaceShare& share) {
   if (share.pixels == 0) return "nothing to see";
   const double percent = 100 * (share.extreme() - 1);
   const double size = std::abs(percent);
-  return fmt::format("mean {:.3f}, worst {}{:.{}f} %", share.mean, size < 0.05 ? "" : percent < 0 ? "\u2212" : "+", size, size < 10 ? 1 : 0);
+  // Spaces that do not break: in a narrow cell the line ends at the comma.
+  return fmt::format("mean\u00a0{:.3f}, worst\u00a0{}{:.{}f}\u00a0%", share.mean, size < 0.05 ? "" : percent < 0 ? "\u2212" : "+", size, size < 10 ? 1 : 0);
 }
 
 std::string finding(const LawResult& law) { return law.reason.empty() ? measured(law) : law.reason; }

@@ -88,7 +88,7 @@ std::vector<std::string> TextPainter::wrapped(const std::string& text, const Tex
       nextCodePoint(text, at);
       if (width(text.substr(from, at - from), style) > available && fits > from && text[at - 1] != ' ') break;
       fits = at;
-      if (at == text.size() || std::strchr(" *-_/+", text[at - 1]) != nullptr) nice = at;
+      if (at == text.size() || std::strchr(" *-_/", text[at - 1]) != nullptr) nice = at;
     }
     const size_t to = nice > from ? nice : fits;
     std::string line = text.substr(from, to - from);

@@ -309,7 +309,7 @@ TEST_F(SavingTest, AFileCannotHaveOthersCopied) {
   builder.showTriangle();
   write(folder() / "secret.glb", builder.glb());
   fs::create_directory(folder() / "b");
-  for (const std::string name : {(folder() / "secret.png").string(), std::string("../secret.png"), "gltf:" + (folder() / "secret.glb").string() + "#0"}) {
+  for (const std::string& name : {(folder() / "secret.png").string(), std::string("../secret.png"), "gltf:" + (folder() / "secret.glb").string() + "#0"}) {
     write(folder() / "a" / "m.json", textured(name));
     ui().editor().openFile(folder() / "a" / "m.json");
     ui().frames(3);
