@@ -10,6 +10,7 @@
 #include "materials/base/files.h"
 #include "materials/base/hash.h"
 #include "materials/glsl_namespace.h"
+#include "materials/glsl_cost.h"
 #include "materials/glsl_recursion.h"
 #include "materials/glsl_scan.h"
 #include "materials/path_guard.h"
@@ -261,6 +262,7 @@ void checkShader(const BrdfReader& brdf, const std::string& file, Diagnostics& p
   const GlslScan scan = scanGlsl(brdf.shader);
   std::vector<GlslFault> faults = scan.faults;
   if (faults.empty()) faults = recursionFaults(scan);
+  if (faults.empty()) faults = growthFaults(brdf.shader);
   int last = 0;  // one fault for each line: the next is often the same one
   for (const GlslFault& fault : faults)
     if (fault.line != std::exchange(last, fault.line)) problems.push_back(error(fmt::format("{}:{}", file, fault.line), fault.what, fault.hint));

@@ -1,5 +1,7 @@
 #include "materials/glsl_cost.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -40,6 +42,17 @@ class Counter {
 };
 
 }  // namespace
+
+std::vector<GlslFault> growthFaults(std::string_view text) {
+  constexpr int64_t kMostOperations = 100'000;  // sound models have hundreds
+  Counter counter(text);
+  for (const GlslFunction& function : scanGlsl(text).functions)
+    if (const int64_t operations = counter.total(function.name); operations > kMostOperations)
+      return {{function.line, fmt::format("'{}' comes to {} operations when each call is written out", function.name,
+                                          operations >= kMost ? "over a thousand million" : std::to_string(operations)),
+               "compilers write every call out: call once and keep the value"}};
+  return {};
+}
 
 int64_t glslOperations(std::string_view text, std::string_view function) { return Counter(text).total(function); }
 

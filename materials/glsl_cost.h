@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
+
+#include "materials/glsl_scan.h"
 
 namespace glint {
 
@@ -11,5 +14,9 @@ namespace glint {
 // calls at every call; at least 1. A function that is not in `text` counts 1. A loop counts once: its length is not known
 // from the text. Never more than 10^9, whatever the text.
 int64_t glslOperations(std::string_view text, std::string_view function);
+
+// A fault at the first function of `text` that grows beyond what a compiler survives: functions that each call the one
+// before twice double with every one of them. The text must be free of recursion.
+std::vector<GlslFault> growthFaults(std::string_view text);
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include "materials/attributes.h"
 #include "materials/base/hash.h"
 #include "materials/front_matter.h"
+#include "materials/glsl_cost.h"
 #include "materials/glsl_recursion.h"
 #include "materials/glsl_scan.h"
 #include "materials/glsl_words.h"
@@ -309,6 +310,7 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
                Diagnostics& problems) {
   std::vector<GlslFault> faults = scan.faults;
   if (faults.empty()) faults = recursionFaults(scan);
+  if (faults.empty()) faults = growthFaults(model.source);
   int last = 0;  // one fault for each line: the next is often the same one
   for (const GlslFault& fault : faults)
     if (fault.line != std::exchange(last, fault.line))

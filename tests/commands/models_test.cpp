@@ -249,7 +249,7 @@ TEST(CompareCommand, TheWhiteFurnaceHasNumbers) {
   EXPECT_NEAR(cells[3]["least"], 0.3069, 0.01);
   std::ifstream in(scratch() / "furnace.html");
   const std::string html((std::istreambuf_iterator<char>(in)), {});
-  EXPECT_THAT(html, testing::AllOf(HasSubstr("<figcaption>mean 0."), HasSubstr("class=\"badge amber\""), HasSubstr("class=\"badge green\""), HasSubstr("gains energy")));
+  EXPECT_THAT(html, testing::AllOf(HasSubstr("<figcaption>mean\u00a00."), HasSubstr("class=\"badge amber\""), HasSubstr("class=\"badge green\""), HasSubstr("gains energy")));
 }
 
 TEST(NewModelCommand, WritesOneThatWorks) {

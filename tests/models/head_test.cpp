@@ -182,6 +182,13 @@ TEST(ModelHead, WordsThatAreNotForPlugins) {
   EXPECT_EQ(faults(plugin("", "struct S { float x; };\nfloat f(S s) { /* discard */ return s.x; } // gl_Position")), "");
 }
 
+// No loop and no recursion, and yet no compiler comes back from it.
+TEST(ModelHead, CallsThatDoubleAtEveryStep) {
+  std::string body = "float a0(float x) { return sin(x) + 1.0; }\n";
+  for (int i = 1; i <= 40; ++i) body += fmt::format("float a{0}(float x) {{ return a{1}(x) + a{1}(x + 0.1); }}\n", i, i - 1);
+  EXPECT_THAT(faults(plugin("", body)), AllOf(HasSubstr("m.glsl:2"), HasSubstr("operations when each call is written out")));
+}
+
 TEST(ModelHead, RecursionAtTheCall) {
   EXPECT_EQ(faults(plugin("", "float g(float x);\nfloat f(float x) {\n  return x > 0.0 ? g(max(x, 1.0)) : 0.0;\n}\n"
                               "float g(float x) { return\n f(x); }")),
