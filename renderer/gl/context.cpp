@@ -6,6 +6,7 @@
 
 #include "materials/base/log.h"
 #include "renderer/gl/context_backends.h"
+#include "renderer/gl/software.h"
 #include "renderer/gl/gl.h"
 
 namespace glint::gl {
@@ -69,8 +70,7 @@ void Context::loadFunctions(void* (*getProcAddress)(const char*)) {
   info_.renderer = text(GL_RENDERER);
   info_.version = text(GL_VERSION);
   info_.glsl = text(GL_SHADING_LANGUAGE_VERSION);
-  info_.software = info_.renderer.find("llvmpipe") != std::string::npos ||
-                   info_.renderer.find("softpipe") != std::string::npos;
+  info_.software = isSoftware(info_.renderer);
   functionsLoaded_ = true;
   setStandardState();
 }
