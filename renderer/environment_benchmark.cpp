@@ -18,21 +18,21 @@ EnvironmentBenchmark::EnvironmentBenchmark(std::shared_ptr<const ShadingModel> m
     : setting_(modelSetting(std::make_shared<ModelShader>(std::move(model)), {})) {}
 
 Diagnostics EnvironmentBenchmark::prefilter(const EnvironmentPtr& environment) {
-  EnvironmentLighting lighting(programs_, false);
+  EnvironmentLighting lighting(programs_, rectangles_, false);
   const auto made = lighting.prefiltered(environment, setting_);
   glFinish();
   return made ? Diagnostics{} : made.diagnostics();
 }
 
 Diagnostics EnvironmentBenchmark::brdf() {
-  EnvironmentLighting lighting(programs_, false);
+  EnvironmentLighting lighting(programs_, rectangles_, false);
   const auto made = lighting.brdf(setting_);
   glFinish();
   return made ? Diagnostics{} : made.diagnostics();
 }
 
 Result<std::vector<double>> EnvironmentBenchmark::errors(const EnvironmentPtr& environment) {
-  EnvironmentLighting lighting(programs_, false);
+  EnvironmentLighting lighting(programs_, rectangles_, false);
   std::array<int, EnvironmentLighting::kLevels> standard, reference;
   for (int level = 0; level < EnvironmentLighting::kLevels; ++level) {
     standard[size_t(level)] = EnvironmentLighting::levelSamples(level);

@@ -23,6 +23,7 @@ class EnvironmentBenchmark {
 
  private:
   ProgramCache programs_;
+  Rectangles rectangles_;
   ModelSetting setting_;
 };
 

@@ -50,36 +50,8 @@ int EnvironmentLighting::levelSamples(int level) {
   return kSamples[level];
 }
 
-EnvironmentLighting::EnvironmentLighting(ProgramCache& programs, bool diskCache)
-    : programs_(programs), diskCache_(diskCache), tables_(diskCache), quad_(gl::createVertexArray()) {
-  const int32_t none[6] = {};
-  quadInstance_ = gl::createBuffer(std::as_bytes(std::span(none)));
-  const GLuint vao = quad_.id();
-  glVertexArrayVertexBuffer(vao, 0, quadInstance_.id(), 0, 24);
-  glVertexArrayBindingDivisor(vao, 0, 1);
-  for (GLuint i = 0; i < 2; ++i) {
-    glEnableVertexArrayAttrib(vao, i);
-    glVertexArrayAttribIFormat(vao, i, i == 0 ? 4 : 2, GL_INT, i == 0 ? 0 : 16);
-    glVertexArrayAttribBinding(vao, i, 0);
-  }
-}
-
-void EnvironmentLighting::drawFullTarget(const gl::Program& program, GLuint framebuffer, int width, int height) {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_FRAMEBUFFER_SRGB);
-  const int32_t instance[6] = {0, 0, width, height, 0, 0};
-  glNamedBufferSubData(quadInstance_.id(), 0, sizeof instance, instance);
-  program.set2("targetSize", static_cast<float>(width), static_cast<float>(height));
-  program.use();
-  glBindVertexArray(quad_.id());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
+EnvironmentLighting::EnvironmentLighting(ProgramCache& programs, const Rectangles& rectangles, bool diskCache)
+    : programs_(programs), rectangles_(rectangles), diskCache_(diskCache), tables_(diskCache) {}
 
 void EnvironmentLighting::setProgress(Progress progress) {
   tables_.setProgress(progress);
@@ -109,7 +81,7 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   glTextureParameteri(equirect.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
   // Row 0 is the top, which is v = 0 here as well: the shader counts v from the top.
   glTextureSubImage2D(equirect.id(), 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT, image.data.data());
-  const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/cube_from_equirect.frag", {}, {}});
+  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/cube_from_equirect.frag", {}, {}});
   program.set("size", static_cast<float>(maps.size));
   // Halfs end at 65504; the sun is brighter than that, the sky a million times darker.
   constexpr float kBrightest = 30000;
@@ -124,7 +96,7 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   for (int face = 0; face < 6; ++face) {
     glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, maps.cube.id(), 0, face);
     program.set("face", face);
-    drawFullTarget(program, framebuffer.id(), maps.size, maps.size);
+    rectangles_.drawWhole(program, framebuffer.id(), {maps.size, maps.size});
     if (progress_) progress_("environment " + environment->name, (face + 1) / 7.0);
   }
   glGenerateTextureMipmap(maps.cube.id());
@@ -133,6 +105,25 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   maps.irradianceBuffer = gl::createBuffer(std::as_bytes(std::span(maps.irradiance)));
   if (progress_) progress_("environment " + environment->name, 1);
   return maps_.put(environment->hash, std::move(maps));
+}
+
+GLuint EnvironmentLighting::uniformCube(int value) {
+  gl::Texture& cube = value ? whiteCube_ : blackCube_;
+  if (!cube) {
+    cube = gl::createTextureCube(GL_RGBA16F, 1, 1);
+    const float color[4] = {float(value), float(value), float(value), float(value)};
+    glClearTexImage(cube.id(), 0, GL_RGBA, GL_FLOAT, color);
+  }
+  return cube.id();
+}
+
+GLuint EnvironmentLighting::whiteIrradiance() {
+  if (!whiteHarmonics_) {
+    std::array<glm::vec4, 9> harmonics{};
+    harmonics[0] = glm::vec4(1);
+    whiteHarmonics_ = gl::createBuffer(std::as_bytes(std::span(harmonics)));
+  }
+  return whiteHarmonics_.id();
 }
 
 namespace {
@@ -147,7 +138,7 @@ uint64_t keyOf(const ModelSetting& setting, Lobe lobe) { return tableKey(setting
 
 Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSetting& setting, Lobe which) {
   const auto program = programs_.get(
-      vertexText(), {"shaders/passes/lobe.frag", definesOf(which), {{"model", setting.shader->glsl}}});
+      Rectangles::vertexShader(), {"shaders/passes/lobe.frag", definesOf(which), {{"model", setting.shader->glsl}}});
   if (!program) return program.diagnostics();
   float roughnesses[16] = {};
   for (int level = 0; level < kLevels; ++level) roughnesses[level] = levelRoughness(level);
@@ -161,7 +152,7 @@ Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSet
   const gl::Texture target = gl::createTexture2D(GL_R32F, kLobeWidth, height);
   const GLuint color = target.id();
   const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
-  drawFullTarget(**program, framebuffer.id(), kLobeWidth, height);
+  rectangles_.drawWhole(**program, framebuffer.id(), {kLobeWidth, height});
   std::vector<float> values(static_cast<size_t>(kLobeWidth * height));
   glGetTextureImage(color, 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * 4), values.data());
   if (const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !(v >= 0); })) {
@@ -205,7 +196,7 @@ Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environ
   gl::Framebuffer framebuffer = gl::createFramebuffer({});
   const GLenum buffer = GL_COLOR_ATTACHMENT0;
   glNamedFramebufferDrawBuffers(framebuffer.id(), 1, &buffer);
-  const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/prefilter.frag", {}, {}});
+  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/prefilter.frag", {}, {}});
   glBindTextureUnit(6, source.cube.id());
   double done = 0, all = 0;
   for (int level = 0; level < kLevels; ++level) all += samples[static_cast<size_t>(level)] * (kSize >> level) * (kSize >> level);
@@ -224,7 +215,7 @@ Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environ
     for (int face = 0; face < 6; ++face) {
       glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, cube.id(), level, face);
       program.set("face", face);
-      drawFullTarget(program, framebuffer.id(), size, size);
+      rectangles_.drawWhole(program, framebuffer.id(), {size, size});
       if (progress_) glFinish();
       done += count * size * size / 6.0;
       if (progress_) progress_("lighting of " + setting.shader->model->title + " by " + environment->name, std::min(1.0, done / all));
@@ -263,7 +254,7 @@ Result<std::array<double, EnvironmentLighting::kLevels>> EnvironmentLighting::pr
   const auto rows = lobe(setting);
   if (!rows) return rows.diagnostics();
   const EnvironmentMaps& source = maps(environment);
-  const gl::Program& program = programs_.shipped(vertexText(), {"shaders/passes/prefilter_reference.frag", {}, {}});
+  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/prefilter_reference.frag", {}, {}});
   std::array<double, kLevels> errors{};
   for (int level = 1; level < kLevels; ++level) {
     const int size = kSize >> level, texels = 6 * size * size;
@@ -290,7 +281,7 @@ Result<std::array<double, EnvironmentLighting::kLevels>> EnvironmentLighting::pr
     glBindTextureUnit(9, lobeTexture.id());
     program.set("sampleCount", static_cast<int>(samples.size()));
     program.set("sharper", 1.5f);
-    drawFullTarget(program, framebuffer.id(), count, 1);
+    rectangles_.drawWhole(program, framebuffer.id(), {count, 1});
     std::vector<float> reference(static_cast<size_t>(count) * 4);
     glGetTextureImage(color, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(reference.size() * 4), reference.data());
     double difference = 0, whole = 0;
@@ -392,7 +383,7 @@ Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSett
     halfs = std::move(*stored);
   } else {
     if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 0);
-    const auto program = programs_.get(vertexText(), {"shaders/passes/environment_brdf.frag", definesOf(which),
+    const auto program = programs_.get(Rectangles::vertexShader(), {"shaders/passes/environment_brdf.frag", definesOf(which),
                                                       {{"model", setting.shader->glsl}}});
     if (!program) return program.diagnostics();
     if (Diagnostics faults = drawBrdf(setting, **program, halfs); !faults.empty()) return faults;
@@ -426,7 +417,7 @@ Diagnostics EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl:
     colors[i] = tables[i].id();
   }
   const gl::Framebuffer framebuffer = gl::createFramebuffer(colors);
-  drawFullTarget(program, framebuffer.id(), kBrdfSize, kBrdfSize);
+  rectangles_.drawWhole(program, framebuffer.id(), {kBrdfSize, kBrdfSize});
   for (size_t i = 0; i < 3; ++i)
     glGetTextureImage(colors[i], 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(kTableBytes), halfs.data() + i * kTableBytes);
   return {};

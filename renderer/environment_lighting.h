@@ -17,6 +17,7 @@
 #include "renderer/program_cache.h"
 #include "renderer/progress.h"
 #include "renderer/recently_used.h"
+#include "renderer/rectangles.h"
 #include "renderer/scene.h"
 
 namespace glint {
@@ -45,7 +46,7 @@ class EnvironmentLighting {
   // many.
   static int levelSamples(int level);
 
-  EnvironmentLighting(ProgramCache&, bool diskCache);
+  EnvironmentLighting(ProgramCache&, const Rectangles&, bool diskCache);
 
   void setProgress(Progress);
   // What programs look up of the models themselves.
@@ -58,6 +59,9 @@ class EnvironmentLighting {
   size_t cubes() const { return prefiltered_.size(); }
 
   const EnvironmentMaps& maps(const EnvironmentPtr&);
+  // A cube that is black (0) or white (1) all over, and EnvironmentMaps::irradianceBuffer of white light from all sides.
+  GLuint uniformCube(int value);
+  GLuint whiteIrradiance();
   // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
   // is the model's GLSL not compiling.
   Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&, Lobe = Lobe::Base);
@@ -81,23 +85,20 @@ class EnvironmentLighting {
   // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
   Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples, Lobe = Lobe::Base);
 
-  // Draws every pixel of a framebuffer with a program whose vertex shader is shaders/passes/tiles.vert.
-  void drawFullTarget(const gl::Program&, GLuint framebuffer, int width, int height);
-
   // The relative RMS error of each level of a prefiltered cube, against 65,536 samples a texel: over all texels of a
   // level, or over an even choice of 512 where there are more. Level 0 is not filtered and has none.
   Result<std::array<double, kLevels>> prefilterError(const EnvironmentPtr&, const ModelSetting&, GLuint cube);
 
  private:
-  ShaderText vertexText() const { return {"shaders/passes/tiles.vert", {}, {}}; }
   gl::Buffer levelSampleBuffer(const std::vector<glm::vec4>&);
 
   ProgramCache& programs_;
+  const Rectangles& rectangles_;
   bool diskCache_;
   Progress progress_;
   ModelTables tables_;
-  gl::VertexArray quad_;
-  gl::Buffer quadInstance_;
+  gl::Texture blackCube_, whiteCube_;
+  gl::Buffer whiteHarmonics_;
   RecentlyUsed<EnvironmentMaps> maps_;
   struct StoredBrdf {
     gl::Texture texture;

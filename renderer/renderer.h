@@ -26,6 +26,8 @@ struct ViewMode {
 };
 std::span<const ViewMode> viewModes();
 const ViewMode* findViewMode(const std::string& id);
+// Of a view that shows a buffer: its number in shaders/passes/buffer_view.frag, from 0.
+int bufferViewIndex(const std::string& id);
 // The white furnace: whatever the scene's light and the materials' colours, every surface is a white metal (F0 = 1, no
 // cavity, occlusion or emission) under white light of radiance 1 from all sides, before the same white. With its own
 // roughness and parameters it shows the share of that light which its model sends back to the viewer, from the model's

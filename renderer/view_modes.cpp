@@ -29,4 +29,11 @@ const ViewMode* findViewMode(const std::string& id) {
   return nullptr;
 }
 
+int bufferViewIndex(const std::string& id) {
+  constexpr int kOfLight = 2;
+  const ViewMode* mode = findViewMode(id);
+  GLINT_CHECK(mode != nullptr && mode - viewModes().data() >= kOfLight, "{} shows no buffer", id);
+  return static_cast<int>(mode - viewModes().data()) - kOfLight;
+}
+
 }  // namespace glint
