@@ -60,6 +60,7 @@ void EnvironmentLighting::setProgress(Progress progress) {
 
 void EnvironmentLighting::forgetUnused() {
   constexpr size_t kSpareMaps = 1, kSpareTables = 8;
+  coarse_.clear();
   maps_.nextFrame(kSpareMaps);
   prefiltered_.nextFrame(kSpareTables);
   brdf_.nextFrame(kSpareTables);
@@ -304,100 +305,153 @@ gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& 
   return gl::createBuffer(std::as_bytes(std::span(padded)));
 }
 
-Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting, Lobe which) {
-  const uint64_t modelKey = keyOf(setting, which);
-  const uint64_t key = hashBytes(&modelKey, 8, environment->hash);
-  if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
+namespace {
 
-  // On disk lie the levels from 1 on; level 0 is the environment, which is at hand.
-  const auto levelBytes = [](int level) { return static_cast<size_t>(kSize >> level) * static_cast<size_t>(kSize >> level) * 6 * 8; };
+// On disk lie the levels from 1 on; level 0 is the environment, which is at hand.
+size_t levelBytes(int level) {
+  const auto size = static_cast<size_t>(EnvironmentLighting::kSize >> level);
+  return size * size * 6 * 8;
+}
+size_t storedBytes() {
   size_t total = 0;
-  for (int level = 1; level < kLevels; ++level) total += levelBytes(level);
-  gl::Texture cube;
+  for (int level = 1; level < EnvironmentLighting::kLevels; ++level) total += levelBytes(level);
+  return total;
+}
+
+std::string levelsOf(const gl::Texture& cube) {
+  std::string bytes(storedBytes(), '\0');
+  size_t offset = 0;
+  for (int level = 1; level < EnvironmentLighting::kLevels; ++level) {
+    glGetTextureImage(cube.id(), level, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(levelBytes(level)), bytes.data() + offset);
+    offset += levelBytes(level);
+  }
+  return bytes;
+}
+
+// Of a table that is coarse beside the one that is not.
+constexpr uint64_t kCoarseKey = 0x9e3779b97f4a7c15;
+
+}  // namespace
+
+gl::Texture EnvironmentLighting::storedCube(const EnvironmentPtr& environment, uint64_t key) {
   const auto stored = diskCache_ ? readCache("prefiltered", key) : std::nullopt;
-  if (stored && stored->size() == total) {
-    const EnvironmentMaps& source = maps(environment);
-    cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
-    size_t offset = 0;
-    for (int level = 1; level < kLevels; ++level) {
-      glTextureSubImage3D(cube.id(), level, 0, 0, 0, kSize >> level, kSize >> level, 6, GL_RGBA, GL_HALF_FLOAT,
-                          stored->data() + offset);
-      offset += levelBytes(level);
-    }
-    const int sourceLevel = std::max(0, static_cast<int>(std::bit_width(static_cast<unsigned>(source.size / kSize))) - 1);
-    if (source.size >= kSize)
-      glCopyImageSubData(source.cube.id(), GL_TEXTURE_CUBE_MAP, sourceLevel, 0, 0, 0, cube.id(), GL_TEXTURE_CUBE_MAP, 0,
-                         0, 0, 0, kSize, kSize, 6);
-    else
-      cube = gl::Texture();
+  if (!stored || stored->size() != storedBytes()) return {};
+  const EnvironmentMaps& source = maps(environment);
+  if (source.size < kSize) return {};
+  gl::Texture cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
+  size_t offset = 0;
+  for (int level = 1; level < kLevels; ++level) {
+    glTextureSubImage3D(cube.id(), level, 0, 0, 0, kSize >> level, kSize >> level, 6, GL_RGBA, GL_HALF_FLOAT, stored->data() + offset);
+    offset += levelBytes(level);
   }
-  if (!cube) {
-    std::array<int, kLevels> samples;
-    constexpr int kOwnLobeSamples = 256;
-    for (int level = 0; level < kLevels; ++level)
-      samples[static_cast<size_t>(level)] = setting.shader->model->reads("roughness") ? levelSamples(level) : level == kOwnLobeLevel ? kOwnLobeSamples : 1;
-    auto made = prefilter(environment, setting, samples, which);
-    if (!made) return made.diagnostics();
-    cube = std::move(*made);
-    // What is wrong is not kept, so that it is said whenever it is drawn.
-    if (diskCache_ && invalid(setting).lobe == 0) {
-      std::string bytes(total, '\0');
-      size_t offset = 0;
-      for (int level = 1; level < kLevels; ++level) {
-        glGetTextureImage(cube.id(), level, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(levelBytes(level)), bytes.data() + offset);
-        offset += levelBytes(level);
-      }
-      writeCache("prefiltered", key, bytes);
-    }
+  const int sourceLevel = std::max(0, static_cast<int>(std::bit_width(static_cast<unsigned>(source.size / kSize))) - 1);
+  glCopyImageSubData(source.cube.id(), GL_TEXTURE_CUBE_MAP, sourceLevel, 0, 0, 0, cube.id(), GL_TEXTURE_CUBE_MAP, 0, 0, 0, 0, kSize, kSize, 6);
+  return cube;
+}
+
+Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting, Lobe which, TableQuality quality) {
+  constexpr int kOwnLobeSamples = 256, kCoarser = 8;
+  const uint64_t modelKey = keyOf(setting, which);
+  uint64_t key = hashBytes(&modelKey, 8, environment->hash);
+  if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
+  if (gl::Texture cube = storedCube(environment, key)) return prefiltered_.put(key, std::move(cube)).id();
+
+  const bool coarse = quality == TableQuality::Coarse;
+  if (coarse) {
+    coarse_.push_back({environment, setting, which});
+    key ^= kCoarseKey;
+    if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
   }
-  return prefiltered_.put(key, std::move(cube)).id();
+  std::array<int, kLevels> samples;
+  for (int level = 0; level < kLevels; ++level) {
+    int& count = samples[static_cast<size_t>(level)];
+    count = setting.shader->model->reads("roughness") ? levelSamples(level) : level == kOwnLobeLevel ? kOwnLobeSamples : 1;
+    if (coarse) count = std::max(1, count / kCoarser);
+  }
+  auto cube = prefilter(environment, setting, samples, which);
+  if (!cube) return cube.diagnostics();
+  // What is wrong is not kept, so that it is said whenever it is drawn.
+  if (!coarse && diskCache_ && invalid(setting).lobe == 0) writeCache("prefiltered", key, levelsOf(*cube));
+  return prefiltered_.put(key, std::move(*cube)).id();
+}
+
+bool EnvironmentLighting::refineOne() {
+  if (coarse_.empty()) return false;
+  const Coarse one = std::move(coarse_.back());
+  coarse_.pop_back();
+  // Whatever is wrong is said when it is drawn.
+  if (one.environment) (void)prefiltered(one.environment, one.setting, one.lobe);
+  else (void)brdf(one.setting, one.lobe);
+  return true;
 }
 
 namespace {
 
-// Three tables of RGBA halfs, one after the other: scale, bias, diffuse.
-constexpr size_t kTexels = size_t{EnvironmentLighting::kBrdfSize} * EnvironmentLighting::kBrdfSize, kTableBytes = kTexels * 8;
+// The tables of drawBrdf().
+constexpr size_t tableBytes(int size) { return static_cast<size_t>(size * size) * 8; }
 
-glm::vec4 texelOf(const std::string& halfs, size_t table, size_t texel) {
+glm::vec4 texelOf(const std::string& halfs, int size, size_t table, size_t texel) {
   uint64_t bits;
-  std::memcpy(&bits, halfs.data() + table * kTableBytes + texel * 8, 8);
+  std::memcpy(&bits, halfs.data() + table * tableBytes(size) + texel * 8, 8);
   return glm::unpackHalf4x16(bits);
 }
 
-bool isGrey(const std::string& halfs) {
+bool isGrey(const std::string& halfs, int size) {
   for (size_t table = 0; table < 3; ++table)
-    for (size_t i = 0; i < kTexels; ++i) {
-      const glm::vec4 c = texelOf(halfs, table, i);
+    for (size_t i = 0; i < static_cast<size_t>(size * size); ++i) {
+      const glm::vec4 c = texelOf(halfs, size, table, i);
       if (std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) > 2e-3f * (1 + std::abs(c.g))) return false;
     }
   return true;
 }
 
+// With more texels, between the old ones; the outermost stay where they are.
+std::string enlarged(const std::string& halfs, int from, int to) {
+  std::string result;
+  result.reserve(3 * tableBytes(to));
+  for (size_t table = 0; table < 3; ++table)
+    for (int y = 0; y < to; ++y)
+      for (int x = 0; x < to; ++x) {
+        const glm::vec2 at = glm::vec2(x, y) * static_cast<float>(from - 1) / static_cast<float>(to - 1);
+        const glm::ivec2 a = glm::min(glm::ivec2(at), from - 2);
+        const glm::vec2 t = at - glm::vec2(a);
+        const auto texel = [&](int dx, int dy) { return texelOf(halfs, from, table, static_cast<size_t>((a.y + dy) * from + a.x + dx)); };
+        const uint64_t bits = glm::packHalf4x16(glm::mix(glm::mix(texel(0, 0), texel(1, 0), t.x), glm::mix(texel(0, 1), texel(1, 1), t.x), t.y));
+        result.append(reinterpret_cast<const char*>(&bits), 8);
+      }
+  return result;
+}
+
 }  // namespace
 
-Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSetting& setting, Lobe which) {
-  const uint64_t key = keyOf(setting, which);
+Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSetting& setting, Lobe which, TableQuality quality) {
+  constexpr int kCoarseSize = 16;
+  uint64_t key = keyOf(setting, which);
   if (const StoredBrdf* found = brdf_.find(key)) return BrdfTable{found->texture.id(), found->colored};
-  std::string halfs(3 * kTableBytes, '\0');
-  if (auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt; stored && stored->size() == halfs.size()) {
+  auto stored = diskCache_ ? readCache("environment-brdf", key) : std::nullopt;
+  std::string halfs;
+  if (stored && stored->size() == 3 * tableBytes(kBrdfSize)) {
     halfs = std::move(*stored);
   } else {
-    if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 0);
-    const auto program = programs_.get(Rectangles::vertexShader(), {"shaders/passes/environment_brdf.frag", definesOf(which),
-                                                      {{"model", setting.shader->glsl}}});
-    if (!program) return program.diagnostics();
-    if (Diagnostics faults = drawBrdf(setting, **program, halfs); !faults.empty()) return faults;
-    if (diskCache_) writeCache("environment-brdf", key, halfs);
-    if (progress_) progress_("environment BRDF of " + setting.shader->model->title, 1);
+    const bool coarse = quality == TableQuality::Coarse;
+    if (coarse) {
+      coarse_.push_back({nullptr, setting, which});
+      key ^= kCoarseKey;
+      if (const StoredBrdf* found = brdf_.find(key)) return BrdfTable{found->texture.id(), found->colored};
+    }
+    auto drawn = drawBrdf(setting, which, coarse ? kCoarseSize : kBrdfSize);
+    if (!drawn) return drawn.diagnostics();
+    halfs = coarse ? enlarged(*drawn, kCoarseSize, kBrdfSize) : std::move(*drawn);
+    if (!coarse && diskCache_) writeCache("environment-brdf", key, halfs);
   }
   StoredBrdf made;
-  made.colored = which == Lobe::Coat || !isGrey(halfs);
+  made.colored = which == Lobe::Coat || !isGrey(halfs, kBrdfSize);
   int bad = 0;
   std::vector<glm::vec4> grey;
-  for (size_t i = 0; i < kTexels; ++i) {
-    const glm::vec4 scale = texelOf(halfs, 0, i);
-    bad += scale.a == 0;
-    grey.emplace_back(scale.g, texelOf(halfs, 1, i).g, texelOf(halfs, 2, i).g, texelOf(halfs, 1, i).a);
+  for (size_t i = 0; i < static_cast<size_t>(kBrdfSize * kBrdfSize); ++i) {
+    const auto texel = [&](size_t table) { return texelOf(halfs, kBrdfSize, table, i); };
+    bad += texel(0).a == 0;
+    grey.emplace_back(texel(0).g, texel(1).g, texel(2).g, texel(1).a);
   }
   if (bad) invalid_[tableKey(setting)].brdf = bad;
   made.texture = gl::createTexture2D(GL_RGBA16F, kBrdfSize, made.colored ? 3 * kBrdfSize : kBrdfSize);
@@ -407,20 +461,28 @@ Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSett
   return BrdfTable{kept.texture.id(), kept.colored};
 }
 
-Diagnostics EnvironmentLighting::drawBrdf(const ModelSetting& setting, const gl::Program& program, std::string& halfs) {
-  program.set2("size", kBrdfSize, kBrdfSize);
+Result<std::string> EnvironmentLighting::drawBrdf(const ModelSetting& setting, Lobe which, int size) {
+  const std::string what = "environment BRDF of " + setting.shader->model->title;
+  if (progress_) progress_(what, 0);
+  const auto found = programs_.get(Rectangles::vertexShader(), {"shaders/passes/environment_brdf.frag", definesOf(which),
+                                                                {{"model", setting.shader->glsl}}});
+  if (!found) return found.diagnostics();
+  const gl::Program& program = **found;
+  program.set2("size", static_cast<float>(size), static_cast<float>(size));
   if (Diagnostics faults = tables_.apply(setting, program); !faults.empty()) return faults;
   gl::Texture tables[3];
   GLuint colors[3];
   for (size_t i = 0; i < 3; ++i) {
-    tables[i] = gl::createTexture2D(GL_RGBA16F, kBrdfSize, kBrdfSize);
+    tables[i] = gl::createTexture2D(GL_RGBA16F, size, size);
     colors[i] = tables[i].id();
   }
   const gl::Framebuffer framebuffer = gl::createFramebuffer(colors);
-  rectangles_.drawWhole(program, framebuffer.id(), {kBrdfSize, kBrdfSize});
+  rectangles_.drawWhole(program, framebuffer.id(), {size, size});
+  std::string halfs(3 * tableBytes(size), '\0');
   for (size_t i = 0; i < 3; ++i)
-    glGetTextureImage(colors[i], 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(kTableBytes), halfs.data() + i * kTableBytes);
-  return {};
+    glGetTextureImage(colors[i], 0, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(tableBytes(size)), halfs.data() + i * tableBytes(size));
+  if (progress_) progress_(what, 1);
+  return halfs;
 }
 
 EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {

@@ -25,6 +25,10 @@ namespace glint {
 // The specular part without a coat, or the coat (model.h).
 enum class Lobe { Base, Coat };
 
+// Coarse ones take an eighth of the time and show a little noise and blur: for a first picture. They are made only of
+// what is not at hand, and never kept on disk.
+enum class TableQuality { Fine, Coarse };
+
 struct EnvironmentMaps {
   gl::Texture cube;                      // RGBA16F with a full mip chain
   int size = 0;                          // texels along a side of level 0
@@ -52,6 +56,10 @@ class EnvironmentLighting {
   // What programs look up of the models themselves.
   ModelTables& tables() { return tables_; }
 
+  // Makes one of the tables that were coarse since the last forgetUnused() fine; false when there is none.
+  bool refineOne();
+  size_t coarseCount() const { return coarse_.size(); }
+
   // Between frames: keeps the maps and tables of the last one, and a few more to go back and forth between. Building
   // them again is only a matter of reading them from disk.
   void forgetUnused();
@@ -64,12 +72,12 @@ class EnvironmentLighting {
   GLuint whiteIrradiance();
   // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
   // is the model's GLSL not compiling.
-  Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&, Lobe = Lobe::Base);
+  Result<GLuint> prefiltered(const EnvironmentPtr&, const ModelSetting&, Lobe = Lobe::Base, TableQuality = TableQuality::Fine);
   struct BrdfTable {
     GLuint texture = 0;
     bool colored = false;  // three tables, see environmentBrdfAt() in lighting.frag; a coat's always is
   };
-  Result<BrdfTable> brdf(const ModelSetting&, Lobe = Lobe::Base);
+  Result<BrdfTable> brdf(const ModelSetting&, Lobe = Lobe::Base, TableQuality = TableQuality::Fine);
   // How many values of the tables made for a setting were not finite (or beyond what a half can hold) and are 0 instead.
   struct Invalid {
     int brdf = 0, lobe = 0;
@@ -97,6 +105,7 @@ class EnvironmentLighting {
   bool diskCache_;
   Progress progress_;
   ModelTables tables_;
+  gl::Texture storedCube(const EnvironmentPtr&, uint64_t key);   // none: it is not on disk
   gl::Texture blackCube_, whiteCube_;
   gl::Buffer whiteHarmonics_;
   RecentlyUsed<EnvironmentMaps> maps_;
@@ -104,7 +113,14 @@ class EnvironmentLighting {
     gl::Texture texture;
     bool colored = false;
   };
-  Diagnostics drawBrdf(const ModelSetting&, const gl::Program&, std::string& halfs);
+  // Three tables of RGBA halfs, `size` texels along a side, one after the other: scale, bias, diffuse.
+  Result<std::string> drawBrdf(const ModelSetting&, Lobe, int size);
+  struct Coarse {
+    EnvironmentPtr environment;   // null: the environment BRDF
+    ModelSetting setting;
+    Lobe lobe = Lobe::Base;
+  };
+  std::vector<Coarse> coarse_;    // used since the last forgetUnused()
   RecentlyUsed<gl::Texture> prefiltered_;
   RecentlyUsed<StoredBrdf> brdf_;
   std::unordered_map<uint64_t, Invalid> invalid_;  // by setting; only those that have any

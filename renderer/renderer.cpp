@@ -122,6 +122,7 @@ struct Renderer::State {
     else bufferViewPass.draw(frame, lists);
     // In an average every pixel must count its samples, so a black background is drawn there too.
     if (output != Output::Picture || !BackgroundPass::isBlack(frame)) backgroundPass.draw(frame);
+    statistics.coarseTables = static_cast<int>(lighting.coarseCount());
   }
 
   // Black, and sound (alpha 1) as often as samples will be added.
@@ -302,6 +303,8 @@ void Renderer::relight() {
 Diagnostics Renderer::check(const std::shared_ptr<const ShadingModel>& model) { return state_->shaders.verdict(*state_->shaders.of(model)); }
 
 void Renderer::reloadModels() { state_->shaders.reload(); }
+
+bool Renderer::refineTable() { return state_->lighting.refineOne(); }
 
 int Renderer::programsBuilt() const { return state_->programs.built(); }
 

@@ -44,6 +44,9 @@ struct RenderSettings {
   // What bounces among facets more than once is given back (renderer/model_tables.h), also by models that do not ask for it.
   bool compensate = false;
   int samples = 1;                             // jittered frames averaged, >= 1
+  // What an environment does to a model may be coarse where it would have to be made first: for a picture now. See
+  // Renderer::refineTable().
+  bool coarse = false;
 };
 
 // One camera on one scene in a rectangle (pixels from the bottom left) of the picture. A comparison is many
@@ -88,12 +91,17 @@ class Renderer {
   // `sample` counts from 1.
   unsigned refineTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&, int sample);
 
+  // Makes one of the tables that were coarse in the last picture fine, which takes a few tenths of a second; false when
+  // there is none left. The next picture has it.
+  bool refineTable();
+
   // Problems of the last frame: plugins that do not compile (their last good version was drawn), and so on.
   const Diagnostics& problems() const;
 
   struct Statistics {
     int triangles = 0, lightGroups = 0, lights = 0;
     int invalidPixels = 0;                     // NaN or infinite before they were replaced
+    int coarseTables = 0;                      // RenderSettings::coarse
   };
   const Statistics& statistics() const;
 

@@ -115,7 +115,7 @@ std::vector<BenchCase> modelCases() {
           {"verify.all", "the health cards of all shipped models", verifyAll},
           {"eval.terms", "10,000 values of terms", evaluateTerms},
           {"model.drop", "a new plugin dropped into a watched folder, to its first picture",
-           [](BenchSetup& setup) { return drop(setup, "model.drop", "with its prefiltered environment and environment BRDF", drawn); }},
+           [](BenchSetup& setup) { return drop(setup, "model.drop", "by coarse tables of its environment, which fine ones follow", drawn); }},
           {"model.drop.card", "the same, to its finest picture and its health card",
            [](BenchSetup& setup) { return drop(setup, "model.drop.card", "everything that is derived from it", examined); }}};
 }

@@ -114,8 +114,13 @@ bool Editor::hasNews() {
   const std::string text = progress ? progress->what + std::to_string(int(progress->fraction * 100)) : "";
   bool news = std::exchange(modelsChanged_, false) || render_->hasFinished();
   news |= health_->takeNews();
-  if (text != progressShown_) news = true;
-  progressShown_ = text;
+  // Not with every step: on software GL each frame of the window takes its time from the work it reports on.
+  constexpr auto kLook = std::chrono::milliseconds(200);
+  if (const auto now = std::chrono::steady_clock::now(); text != progressShown_ && (text.empty() || now - progressAt_ > kLook)) {
+    news = true;
+    progressShown_ = text;
+    progressAt_ = now;
+  }
   // A message that has had its time.
   if (!message_.empty() && !messageWrong_ && time_ > messageUntil_) news = true;
   return news;

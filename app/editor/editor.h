@@ -182,6 +182,7 @@ class Editor {
   Diagnostics recoveryProblems_;
   std::chrono::steady_clock::time_point lastModelCheck_{};
   std::string progressShown_;
+  std::chrono::steady_clock::time_point progressAt_;
   bool modelsChanged_ = false;
   double time_ = 0;
 };

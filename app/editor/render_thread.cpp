@@ -154,7 +154,8 @@ void RenderThread::run() {
       else if (!plot) more = refine(renderer, scene);
       if (plot) computePlot(plots, std::move(*plot));
       const std::lock_guard lock(mutex_);
-      busy_ = plotting_ = false;
+      busy_ = last_.coarse && more && !pending_;
+      plotting_ = false;
       progress_.reset();
       if (drawn) refining_ = more && !pending_;
       checking_ = !unchecked_.empty();
@@ -181,7 +182,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
 
   const Preview& preview = request.preview;
   settings_ = {.view = preview.view, .exposure = preview.exposure, .tonemap = preview.tonemap,
-               .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate};
+               .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .coarse = true};
   const int divisor = request.dragging && smoothedCost_ > kSlowMilliseconds ? 2 : 1;
   const glm::ivec2 size = glm::max(request.size / divisor, glm::ivec2(1));
   views_.clear();
@@ -217,6 +218,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.stats = scene.stats;
   result.statistics = renderer.statistics();
   result.samples = 1;
+  result.coarse = result.statistics.coarseTables > 0;
   result.milliseconds = since(start);
   if (divisor == 1) smoothedCost_ = smoothedCost_ == 0 ? 0 : 0.5 * (smoothedCost_ + result.milliseconds);
   if (smoothedCost_ == 0 && divisor == 1) smoothedCost_ = 1;  // the first picture pays for compiling: not its cost
@@ -251,10 +253,21 @@ void RenderThread::computePlot(PlotComputer& plots, PlotRequest request) {
   wake_();
 }
 
+// Table by table, so that a new request need not wait for all of them; then the whole picture anew.
+bool RenderThread::finish(Renderer& renderer) {
+  if (renderer.refineTable()) return true;
+  settings_.coarse = false;
+  last_.texture = keep(renderer.drawToTexture(views_, last_.size, settings_), last_.size);
+  last_.coarse = false;
+  publish(last_);
+  return true;
+}
+
 bool RenderThread::refine(Renderer& renderer, PreviewScene&) {
   const int most = context_->info().software ? kSamplesInSoftware : kSamples;
   // What is dragged, or was drawn small, waits for the whole picture.
   if (current_.dragging || last_.samples >= most) return false;
+  if (last_.coarse) return finish(renderer);
   const int sample = last_.samples;
   last_.texture = keep(renderer.refineTexture(views_, last_.size, settings_, sample), last_.size);
   ++last_.samples;

@@ -40,6 +40,7 @@ struct FrameResult {
   CompileStats stats;
   Renderer::Statistics statistics;
   int samples = 0;                  // averaged so far
+  bool coarse = false;              // a first picture: the tables of a model or an environment are still being made
   double milliseconds = 0;          // from the request's start to the picture
 };
 
@@ -90,6 +91,7 @@ class RenderThread {
   void run();
   void draw(Renderer&, PreviewScene&, const FrameRequest&);
   bool refine(Renderer&, PreviewScene&);
+  bool finish(Renderer&);                     // what was coarse
   void checkModel(Renderer&);                 // the next of those not looked at
   void computePlot(PlotComputer&, PlotRequest);
   void publish(FrameResult);

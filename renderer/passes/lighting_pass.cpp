@@ -65,12 +65,13 @@ Diagnostics LightingPass::drawGroup(Frame& frame, LightLists& lists, const Ready
 Result<LightingPass::Surroundings> LightingPass::surroundings(const Frame& frame, const EnvironmentPtr& environment, const ModelSetting& setting) {
   const bool furnace = frame.isFurnace();
   const ShadingModel& model = *setting.shader->model;
+  const TableQuality quality = frame.settings.coarse ? TableQuality::Coarse : TableQuality::Fine;
   Surroundings around;
   const auto ask = [&](Lobe lobe, GLuint& cube, EnvironmentLighting::BrdfTable& table) -> Diagnostics {
     // White light averages to white under any lobe.
-    const auto prefiltered = furnace ? Result<GLuint>(lighting_.uniformCube(1)) : lighting_.prefiltered(environment, setting, lobe);
+    const auto prefiltered = furnace ? Result<GLuint>(lighting_.uniformCube(1)) : lighting_.prefiltered(environment, setting, lobe, quality);
     if (!prefiltered) return prefiltered.diagnostics();
-    const auto brdf = lighting_.brdf(setting, lobe);
+    const auto brdf = lighting_.brdf(setting, lobe, quality);
     if (!brdf) return brdf.diagnostics();
     cube = *prefiltered;
     table = *brdf;

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "renderer/environment.h"
 #include "renderer/environment_lighting.h"
 #include "renderer/model_integrals.h"
 #include "renderer/renderer.h"
@@ -421,6 +423,48 @@ TEST_F(RendererTest, AReloadedModelCompilesAlone) {
   scene.materials[3] = plugin(1);
   own.reloadModels();
   EXPECT_EQ(built(), 0) << "undone: remembered";
+}
+
+// The first picture of a model never seen before does not wait for its tables, and is much like the one that does.
+TEST_F(RendererTest, ACoarsePictureComesBeforeTheFineOne) {
+  Scene scene;
+  const auto studio = loadEnvironment("studio");
+  ASSERT_TRUE(studio);
+  scene.environment = *studio;
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count() % 1000000;
+  const std::string text = fmt::format(
+      "/*glint {{\"id\": \"new\", \"terms\": {{\"D\": \"GGX\", \"V\": \"SmithGGXCorrelated\", \"diffuse\": \"Lambert\"}}}} */\n"
+      "vec3 F(Shading s, Parameters p) {{ return F_Schlick(s) * {:.9f}; }}\n", 1 - 1e-8 * double(now));
+  auto model = parseModel("new.glsl", text);
+  ASSERT_TRUE(model);
+  const auto shared = std::make_shared<const ShadingModel>(std::move(*model));
+  for (int i = 0; i < 4; ++i) {
+    scene.materials.push_back(test::material(shared, {.baseColor = glm::vec3(0.8f, 0.5f, 0.3f), .metallic = float(i & 1), .roughness = 0.15f + 0.25f * float(i)}));
+    scene.instances.push_back({sphere, glm::translate(glm::mat4(1), glm::vec3(2.2f * float(i) - 3.3f, 0, 0)), i});
+  }
+  Camera camera = orthographic();
+  const View view{&scene, camera, {0, 0, 256, 64}};
+  const auto draw = [&](bool coarse) { return renderer->picture(std::span(&view, 1), {256, 64}, {.coarse = coarse}); };
+  const Image8 coarse = draw(true);
+  EXPECT_EQ(renderer->statistics().coarseTables, 2) << "the lobe over the environment and the environment BRDF";
+  int made = 0;
+  while (renderer->refineTable()) ++made;
+  EXPECT_EQ(made, 2);
+  const Image8 refined = draw(true);
+  EXPECT_EQ(renderer->statistics().coarseTables, 0);
+  const Image8 fine = draw(false);
+  EXPECT_EQ(refined.data, fine.data);
+  double mean = 0, most = 0;
+  for (size_t i = 0; i < fine.data.size(); ++i) {
+    const double difference = std::abs(double(fine.data[i]) - coarse.data[i]);
+    mean += difference / double(fine.data.size());
+    most = std::max(most, difference);
+  }
+  EXPECT_GT(mean, 0);
+  EXPECT_LT(mean, 1);
+  EXPECT_LT(most, 16);
+  RecordProperty("mean", std::to_string(mean));
+  RecordProperty("most", std::to_string(most));
 }
 
 }  // namespace
