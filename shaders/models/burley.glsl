@@ -15,7 +15,7 @@
       "doc": "1 has the longest tail, 2 is GGX, larger ones cut it short"
     }
   ],
-  "prepared": ["normalisation"],
+  "prepared": ["peak"],
   "terms": {"V": "SmithGGX", "F": "Schlick", "diffuse": "Lambert"},
   "claims": {"reciprocal": true, "energyConserving": false},
   "uses": ["baseColor", "metallic", "specular", "roughness"],
@@ -30,8 +30,8 @@
 
 // No term's name stands for a D with arguments of its own, so this model writes the function itself and hands its
 // parameter over. What it does not write comes from "terms".
-float D(Shading s, Parameters p) { return D_GTR(s, p.gamma, p.normalisation); }
+float D(Shading s, Parameters p) { return D_GTR(s, p.gamma, p.peak); }
 
 // Called once a pixel, before the lights, when the view and the roughness are known: fills the members that the
 // head calls "prepared". A model that has nothing to prepare leaves both out.
-void prepare(Shading s, inout Parameters p) { p.normalisation = normalisationGTR(s.alpha2, p.gamma); }
+void prepare(Shading s, inout Parameters p) { p.peak = peakGTR(s.alpha2, p.gamma); }

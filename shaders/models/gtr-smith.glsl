@@ -15,7 +15,7 @@
       "doc": "1 has the longest tail, 2 is GGX, larger ones cut it short"
     }
   ],
-  "prepared": ["normalisation"],
+  "prepared": ["peak"],
   "terms": {"V": "SmithCorrelated", "F": "Schlick", "diffuse": "Lambert"},
   "claims": {"reciprocal": true, "energyConserving": true},
   "uses": ["baseColor", "metallic", "specular", "roughness"],
@@ -27,6 +27,6 @@
 }
 */
 
-float D(Shading s, Parameters p) { return D_GTR(s, p.gamma, p.normalisation); }
+float D(Shading s, Parameters p) { return D_GTR(s, p.gamma, p.peak); }
 
-void prepare(Shading s, inout Parameters p) { p.normalisation = normalisationGTR(s.alpha2, p.gamma); }
+void prepare(Shading s, inout Parameters p) { p.peak = peakGTR(s.alpha2, p.gamma); }

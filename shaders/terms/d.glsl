@@ -59,28 +59,29 @@ float D_Blinn(Shading s) {
 
 // Generalised Trowbridge-Reitz, Burley 2012, eq. 4 (appendix B), for gamma > 0:
 //   (gamma - 1)(alpha^2 - 1) / (pi (1 - alpha^(2 (1 - gamma))) (1 + (alpha^2 - 1)(n.h)^2)^gamma)
-// gamma 2 is GGX; a smaller one has a longer tail. The normalisation is 0/0 at gamma = 1 and at alpha = 1; here
-// it is written as two factors that go smoothly to 1 there, with x = (1 - gamma) ln(alpha^2):
-//   x / (e^x - 1)  times  (1 - alpha^2) / -ln(alpha^2)
-float normalisationGTR(float alpha2, float gamma) {
+// gamma 2 is GGX; a smaller one has a longer tail. The normalisation is 0/0 at gamma = 1 and at alpha = 1, and for large
+// gamma and small alpha both it and the power leave single precision. Here it is the value at the normal, D(n), times
+// a power of a number from 0 to 1; D(n) is made of factors that go smoothly to 1, with x = (gamma - 1) ln(alpha^2):
+//   D(n) = 1 / (pi alpha^2)  times  x / (e^x - 1)  times  (1 - alpha^2) / -ln(alpha^2)
+float peakGTR(float alpha2, float gamma) {
   float y = 1.0 - alpha2;
   float logAlpha2 = preciseLog(alpha2, y);
-  float x = (1.0 - gamma) * logAlpha2;
+  float x = (gamma - 1.0) * logAlpha2;
   // (e^x - 1) / x, whose difference cancels for small x.
   float series = 1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0)))));
   float growth = abs(x) < 0.5 ? series : (exp(x) - 1.0) / x;
   float shape = y < 1e-4 ? 1.0 - 0.5 * y : -y / logAlpha2;
-  return shape / (kPi * growth);
+  return shape / (kPi * growth * alpha2);
 }
 
-// With that factor at hand: it is the same for every light, and costs more than all the rest.
-float D_GTR(Shading s, float gamma, float normalisation) {
-  return normalisation * pow(s.sinH2 * (1.0 - s.alpha2) + s.alpha2, -gamma);
+// With that value at hand: it is the same for every light, and costs more than all the rest.
+float D_GTR(Shading s, float gamma, float peak) {
+  return peak * pow(s.alpha2 / (s.sinH2 * (1.0 - s.alpha2) + s.alpha2), gamma);
 }
 
-// Generalised Trowbridge-Reitz with that factor made on the spot.
+// Generalised Trowbridge-Reitz with that value made on the spot.
 //   gamma from 0.5 to 6, 1.5: how long the tail is: 1 the longest that is usual, 2 GGX, larger ones cut it short
-float D_GTR(Shading s, float gamma) { return D_GTR(s, gamma, normalisationGTR(s.alpha2, gamma)); }
+float D_GTR(Shading s, float gamma) { return D_GTR(s, gamma, peakGTR(s.alpha2, gamma)); }
 
 // Burley 2012, sec. 5.4: the clear coat's distribution, gamma = 1.
 float D_GTR1(Shading s) { return D_GTR(s, 1.0); }
