@@ -6,11 +6,12 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
 
 #include "materials/model_mix.h"
 #include "materials/terms.h"
-#include "renderer/model_integrals.h"
-#include "renderer/model_probe.h"
+#include "renderer/evaluation_arguments.h"
+#include "renderer/evaluation_batch.h"
 #include "renderer/multiple_scattering.h"
 #include "renderer/quadrature.h"
 
@@ -18,181 +19,10 @@ namespace glint {
 namespace {
 
 using std::numbers::pi;
-
-struct Fault {
-  std::string what, hint;
-};
-
-// Work for the device, gathered from all requests so that it runs in a few large pieces.
-class Batch {
- public:
-  explicit Batch(const ModelRegistry& registry) : registry_(registry) {}
-
-  // The value of a vec4 expression (ModelProbe::ofChoices) at a point.
-  size_t point(const std::string& expression, ProbePoint p) {
-    const auto [at, fresh] = expressionIndex_.try_emplace(expression, static_cast<int>(expressions_.size()));
-    if (fresh) expressions_.push_back(expression);
-    p.choice = at->second;
-    points_.push_back(p);
-    return points_.size() - 1;
-  }
-  glm::dvec4 pointValue(size_t ticket) const { return pointValues_[ticket]; }
-
-  // A model's specular value at a point: (r, g, b, D).
-  struct ModelTicket {
-    size_t model, index;
-  };
-  ModelTicket modelPoint(const std::string& id, const ProbePoint& p, bool compensate) {
-    const size_t m = model(id, {}, compensate);
-    models_[m].points.push_back(p);
-    return {m, models_[m].points.size() - 1};
-  }
-  glm::dvec4 modelValue(ModelTicket t) const { return models_[t.model].pointValues[2 * t.index]; }
-
-  ModelTicket integral(const std::string& id, const IntegralQuery& query, const std::map<std::string, double>& parameters = {}, bool compensate = false) {
-    const size_t m = model(id, parameters, compensate);
-    models_[m].queries.push_back(query);
-    return {m, models_[m].queries.size() - 1};
-  }
-  const ModelIntegral& integral(ModelTicket t) const { return models_[t.model].integrals[t.index]; }
-
-  // What is wrong with the GLSL of a model, known after run().
-  std::string faultOf(ModelTicket t) const { return models_[t.model].fault; }
-
-  void run() {
-    if (!points_.empty()) {
-      auto probe = ModelProbe::ofChoices(expressions_);
-      GLINT_CHECK(probe.ok(), "{}", probe.diagnostics()[0].text());
-      for (const glm::vec4& v : probe->evaluate(points_)) pointValues_.emplace_back(v);
-    }
-    for (Model& m : models_) runModel(m);
-  }
-
- private:
-  struct Model {
-    ModelPtr model;
-    std::map<std::string, double> parameters;
-    bool compensate = false;
-    std::vector<ProbePoint> points;
-    std::vector<glm::dvec4> pointValues;
-    std::vector<IntegralQuery> queries;
-    std::vector<ModelIntegral> integrals;
-    std::string fault;
-  };
-
-  size_t model(const std::string& id, const std::map<std::string, double>& parameters, bool compensate) {
-    std::string key = id + (compensate ? " compensated" : "");
-    for (const auto& [name, value] : parameters) key += fmt::format(" {}={}", name, value);
-    if (const auto found = modelIndex_.find(key); found != modelIndex_.end()) return found->second;
-    const auto made = registry_.get(id);
-    if (!made) throw Fault{made.diagnostics()[0].what, made.diagnostics()[0].hint};
-    for (const auto& [name, value] : parameters)
-      if (!(*made)->parameter(name)) throw Fault{fmt::format("'{}' has no parameter '{}'", id, name), ""};
-    std::map<std::string, double> own;  // by the names that Glint has for them
-    for (const auto& [name, value] : parameters) own[(*made)->parameter(name)->name] = value;
-    models_.push_back({*made, std::move(own), compensate, {}, {}, {}, {}, {}});
-    return modelIndex_[key] = models_.size() - 1;
-  }
-
-  static void runModel(Model& m) {
-    if (!m.points.empty()) {
-      auto probe = ModelProbe::ofModel(*m.model, m.compensate || m.model->compensate);
-      if (!probe) return void(m.fault = probe.diagnostics()[0].text());
-      for (const auto& [name, value] : m.parameters) probe->set(name, Value::scalar(static_cast<float>(value)));
-      for (const glm::vec4& v : probe->evaluate(m.points)) m.pointValues.emplace_back(v);
-    }
-    if (!m.queries.empty()) {
-      // Integrals are made of thousands of values: not of a model that takes too long for one.
-      if (m.points.empty())
-        if (const auto probe = ModelProbe::ofModel(*m.model); !probe) return void(m.fault = probe.diagnostics()[0].text());
-      auto integrals = ModelIntegrals::of(*m.model, {.compensate = m.compensate || m.model->compensate});
-      if (!integrals) return void(m.fault = integrals.diagnostics()[0].text());
-      for (const auto& [name, value] : m.parameters) integrals->set(name, Value::scalar(static_cast<float>(value)));
-      m.integrals = integrals->evaluate(m.queries);
-    }
-  }
-
-  const ModelRegistry& registry_;
-  std::vector<std::string> expressions_;
-  std::map<std::string, int> expressionIndex_;
-  std::vector<ProbePoint> points_;
-  std::vector<glm::dvec4> pointValues_;
-  std::vector<Model> models_;
-  std::map<std::string, size_t> modelIndex_;
-};
+using namespace evaluation;
 
 using Values = std::map<std::string, std::vector<double>>;
 using Finish = std::function<Values(const Batch&)>;  // called after the batch has run
-
-double number(const EvaluationRequest& request, std::string_view name) {
-  const auto found = request.numbers.find(name);
-  if (found == request.numbers.end()) throw Fault{fmt::format("'{}' needs the argument '{}'", request.what, name), ""};
-  return found->second;
-}
-double number(const EvaluationRequest& request, std::string_view name, double otherwise) {
-  const auto found = request.numbers.find(name);
-  return found == request.numbers.end() ? otherwise : found->second;
-}
-
-// "r", "roughness" or "alpha", which is its square.
-double roughness(const EvaluationRequest& request) {
-  if (request.numbers.count("alpha")) return std::sqrt(number(request, "alpha"));
-  return request.numbers.count("roughness") ? number(request, "roughness") : number(request, "r");
-}
-
-std::vector<double> vectorOf(const EvaluationRequest& request, std::string_view name, size_t size) {
-  const auto found = request.vectors.find(name);
-  if (found == request.vectors.end() || found->second.size() != size)
-    throw Fault{fmt::format("'{}' needs '{}' as {} numbers", request.what, name, size), ""};
-  return found->second;
-}
-
-// "compensate": 1 asks for the model with the lobe of further bounces.
-bool compensated(const EvaluationRequest& request) { return number(request, "compensate", 0) != 0; }
-
-bool underEnvironment(const EvaluationRequest& request) { return number(request, "environment", 0) != 0; }
-
-// The point of a term: from two directions l and v about n = +Z, or from the cosines that are given. `needed` must be.
-ProbePoint pointOf(const EvaluationRequest& request, const std::vector<std::string>& needed) {
-  ProbePoint p;
-  if (request.vectors.count("l") && request.vectors.count("v") && !request.numbers.count("NoL") && !request.numbers.count("NoH")) {
-    const auto l = vectorOf(request, "l", 3), v = vectorOf(request, "v", 3);
-    p = ProbePoint::at(glm::normalize(glm::dvec3(l[0], l[1], l[2])), glm::normalize(glm::dvec3(v[0], v[1], v[2])));
-  } else {
-    for (const std::string& name : needed) number(request, name);
-    const double LoV = number(request, "LoV", 2);
-    const double VoH = number(request, "VoH", LoV <= 1 ? std::sqrt(0.5 * (1 + LoV)) : 1);
-    p = ProbePoint::cosines(number(request, "NoL", 1), number(request, "NoV", 1), number(request, "NoH", 1), VoH);
-    if (LoV <= 1) p.LoV = static_cast<float>(LoV);
-  }
-  p.roughness = static_cast<float>(request.numbers.count("r") || request.numbers.count("roughness") || request.numbers.count("alpha")
-                                       ? roughness(request) : 0.5);
-  p.F0 = glm::vec3(static_cast<float>(number(request, "F0", 1)));
-  p.diffuseColor = glm::vec3(static_cast<float>(number(request, "albedo", 1)));
-  p.analyticLight = !underEnvironment(request);
-  return p;
-}
-
-// What a request asks about: a model's id, or a mix of the terms it names; the missing ones do nothing.
-std::string subject(const EvaluationRequest& request) {
-  const auto named = [&](std::string_view key, std::string_view otherwise) {
-    const auto found = request.names.find(key);
-    return found == request.names.end() ? std::string(otherwise) : found->second;
-  };
-  if (request.names.count("model")) return named("model", "");
-  if (!request.names.count("D")) throw Fault{fmt::format("'{}' needs a model, or D and G", request.what), ""};
-  std::string id = named("D", "") + "*" + named("V", named("G", "Implicit")) + "*" + named("F", "None");
-  return request.names.count("diffuse") ? id + "*" + named("diffuse", "") : id;
-}
-
-std::map<std::string, double> parametersOf(const EvaluationRequest& request) {
-  static const std::set<std::string, std::less<>> kOthers = {"r", "roughness", "alpha", "NoL", "NoV", "NoH", "VoH", "LoV", "RoL",
-                                                             "F0", "albedo", "environment", "ax", "ay", "compensate"};
-  std::map<std::string, double> parameters;
-  for (const auto& [name, value] : request.numbers)
-    if (!kOthers.count(name)) parameters[name] = value;
-  return parameters;
-}
 
 IntegralQuery query(const EvaluationRequest& request, double NoV) {
   return {static_cast<float>(roughness(request)), static_cast<float>(NoV), !underEnvironment(request)};
@@ -232,7 +62,8 @@ const std::vector<Formula>& formulas() {
 size_t formulaPoint(const Formula& formula, const EvaluationRequest& request, Batch& batch) {
   ProbePoint p = pointOf(request, {});
   for (size_t i = 0; i < formula.arguments.size(); ++i)
-    (i < 4 ? p.a[static_cast<int>(i)] : p.b[static_cast<int>(i - 4)]) = static_cast<float>(number(request, formula.arguments[i]));
+    (i < 4 ? p.a[static_cast<int>(i)] : p.b[static_cast<int>(i - 4)]) =
+        static_cast<float>(formula.arguments[i] == "r" ? roughness(request) : number(request, formula.arguments[i]));
   return batch.point(std::string(formula.expression), p);
 }
 
@@ -255,7 +86,7 @@ struct Library {
 
 Finish term(const Term& t, const EvaluationRequest& request, Batch& batch, bool asG) {
   if (t.ofOwnD)
-    throw Fault{fmt::format("'{}' is made for the D of a model and has no value without it", request.what),
+    throw EvaluationFault{fmt::format("'{}' is made for the D of a model and has no value without it", request.what),
                 fmt::format("ask for f_GTR1_5*{}*None, or for exact_smith_G1 of a D", t.name)};
   static const std::map<TermKind, std::vector<std::string>> kNeeded = {{TermKind::D, {"NoH"}},
                                                                        {TermKind::V, {"NoL", "NoV"}},
@@ -283,9 +114,9 @@ Finish modelValue(const std::string& id, const EvaluationRequest& request, Batch
   ProbePoint p = pointOf(request, {"NoL", "NoV", "NoH", "VoH"});
   roughness(request);
   number(request, "F0");
-  const auto ticket = batch.modelPoint(id, p, compensated(request));
+  const auto ticket = batch.modelPoint(id, p, parametersOf(request), compensated(request));
   return [ticket](const Batch& done) {
-    if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw Fault{fault, ""};
+    if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw EvaluationFault{fault, ""};
     return one(done.modelValue(ticket).y);
   };
 }
@@ -293,7 +124,7 @@ Finish modelValue(const std::string& id, const EvaluationRequest& request, Batch
 Finish termOrModel(const EvaluationRequest& request, const Library& library, Batch& batch) {
   for (const Formula& f : formulas())
     if (f.name == request.what && std::all_of(f.arguments.begin(), f.arguments.end(),
-                                              [&](const std::string& a) { return request.numbers.count(a) != 0; })) {
+                                              [&](const std::string& a) { return a == "r" ? hasRoughness(request) : request.numbers.count(a) != 0; })) {
       const size_t ticket = formulaPoint(f, request, batch);
       return [ticket](const Batch& done) { return one(done.pointValue(ticket).x); };
     }
@@ -310,8 +141,7 @@ Finish termOrModel(const EvaluationRequest& request, const Library& library, Bat
     if (f.name == request.what) formulaPoint(f, request, batch);  // tells which argument is missing
   std::vector<std::string> known = evaluationQuantities();
   for (const Term& t : library.terms) known.push_back(t.function());
-  for (const Formula& f : formulas()) known.emplace_back(f.name);
-  throw Fault{fmt::format("'{}' is nothing that can be evaluated", request.what.substr(0, 80)), suggestion(request.what, known)};
+  throw EvaluationFault{fmt::format("'{}' is nothing that can be evaluated", request.what.substr(0, 80)), suggestion(request.what, known)};
 }
 
 // ---- integrals ----
@@ -319,7 +149,7 @@ Finish termOrModel(const EvaluationRequest& request, const Library& library, Bat
 Finish integralOf(const EvaluationRequest& request, Batch& batch, double NoV, std::function<double(const ModelIntegral&)> pick) {
   const auto ticket = batch.integral(subject(request), query(request, NoV), parametersOf(request), compensated(request));
   return [ticket, pick = std::move(pick)](const Batch& done) {
-    if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw Fault{fault, ""};
+    if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw EvaluationFault{fault, ""};
     return one(pick(done.integral(ticket)));
   };
 }
@@ -377,7 +207,7 @@ struct Average {
   double value(const Batch& done) const {
     double sum = 0;
     for (const auto& [ticket, weight] : parts) {
-      if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw Fault{fault, ""};
+      if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw EvaluationFault{fault, ""};
       sum += weight * done.integral(ticket).specular.g;
     }
     return sum;
@@ -449,7 +279,7 @@ Finish environmentBrdf(const EvaluationRequest& request, const Library& library,
   if (request.extras.count("EnvBRDFApprox"))
     for (const char* part : {"EnvBRDFApprox_A", "EnvBRDFApprox_B"}) approximate.push_back(formulaPoint(formula(part), request, batch));
   return [=](const Batch& done) -> Values {
-    if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw Fault{fault, ""};
+    if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw EvaluationFault{fault, ""};
     const ModelIntegral& sum = done.integral(ticket);
     Values values{{"A", {sum.specular.g - sum.specularBlack.g}}, {"B", {sum.specularBlack.g}}};
     for (const auto& [name, parts] : sums) {
@@ -547,10 +377,26 @@ const std::map<std::string, Handler, std::less<>>& handlers() {
   return table;
 }
 
+// What is said where a value is of the floor of alpha (shaders/common/shading.glsl) and not of the alpha asked for.
+std::string noteOf(const EvaluationRequest& request, const ModelRegistry& registry) {
+  constexpr double kSmallestAlpha = 5e-4;
+  static const std::set<std::string, std::less<>> kOfPictures = {"normalisation", "directional_albedo", "average_albedo", "environment_brdf",
+                                                                 "exact_smith_G1", "kulla_conty_f_ms", "sheen_directional_albedo"};
+  const double alpha = hasRoughness(request) ? roughness(request) * roughness(request) : 1;
+  if (alpha >= kSmallestAlpha * (1 - 1e-6)) return {};
+  bool ofPictures = kOfPictures.count(request.what) != 0;
+  if (request.what.starts_with("f_"))
+    if (const ModelPtr model = registry.find(request.what.substr(2))) ofPictures = Batch::hasTables(*model, compensated(request));
+  if (!ofPictures) return {};
+  return fmt::format("is computed with alpha {:g} (roughness {:.4f}), the smallest that pictures have, instead of {:.4g}", kSmallestAlpha,
+                     std::sqrt(kSmallestAlpha), alpha);
+}
+
 }  // namespace
 
 std::vector<std::string> evaluationQuantities() {
   std::vector<std::string> names;
+  for (const Formula& f : formulas()) names.emplace_back(f.name);
   for (const auto& [name, handler] : handlers()) names.push_back(name);
   return names;
 }
@@ -563,8 +409,8 @@ std::vector<EvaluationResult> evaluate(std::span<const EvaluationRequest> reques
   const auto guarded = [&](size_t i, const auto& work) {
     try {
       work();
-    } catch (const Fault& fault) {
-      results[i] = {{}, fault.what, fault.hint};
+    } catch (const EvaluationFault& fault) {
+      results[i] = {{}, fault.what, fault.hint, {}};
     }
   };
   for (size_t i = 0; i < requests.size(); ++i)
@@ -572,6 +418,7 @@ std::vector<EvaluationResult> evaluate(std::span<const EvaluationRequest> reques
       const auto handler = handlers().find(requests[i].what);
       finishes[i] = handler == handlers().end() ? termOrModel(requests[i], library, batch)
                                                 : handler->second(requests[i], library, batch);
+      results[i].note = noteOf(requests[i], registry);
     });
   batch.run();
   for (size_t i = 0; i < requests.size(); ++i)
@@ -580,7 +427,7 @@ std::vector<EvaluationResult> evaluate(std::span<const EvaluationRequest> reques
         results[i].values = finishes[i](batch);
         for (const auto& [name, values] : results[i].values)
           for (const double v : values)
-            if (!std::isfinite(v)) throw Fault{fmt::format("'{}' is not finite there", name), "the arguments may be out of range"};
+            if (!std::isfinite(v)) throw EvaluationFault{fmt::format("'{}' is not finite there", name), "the arguments may be out of range"};
       });
   for (EvaluationResult& r : results)
     if (!r.fault.empty()) r.values.clear();

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kGroup = 64;
 constexpr size_t kBatch = size_t{1} << 18;
+constexpr const char* kOwnAlpha = "#define OWN_ALPHA\n";  // of shaders/common/shading.glsl
 
 // As the shader's `Point`, std430.
 struct GpuPoint {
@@ -108,10 +109,10 @@ ProbePoint ProbePoint::cosines(double NoL, double NoV, double NoH, double VoH) {
 }
 
 Result<ModelProbe> ModelProbe::build(const std::string& name, const std::string& glsl,
-                                     const std::vector<std::string>& outputs) {
+                                     const std::vector<std::string>& outputs, const std::string& defines) {
   const auto shading = shipped::read("shaders/common/shading.glsl");
   if (!shading) return error("shaders/common/shading.glsl", "is missing");
-  std::string source = "#version 450 core\nlayout(local_size_x = " + std::to_string(kGroup) + ") in;\n" + *shading +
+  std::string source = "#version 450 core\n" + defines + "layout(local_size_x = " + std::to_string(kGroup) + ") in;\n" + *shading +
                        glsl + kPointGlsl + "void main() {\n  uint i = gl_GlobalInvocationID.x;\n" +
                        "  if (i >= uint(pointCount)) return;\n  Shading s = shadingAt(points[i]);\n" +
                        "  vec4 a = points[i].a, b = points[i].b;\n" +
@@ -155,24 +156,24 @@ Shading withColors(Shading s, vec3 baseColor, float metallic, float specular) {
 vec4 chosen(int choice, Shading s, vec4 a, vec4 b) {
 )";
   for (size_t i = 0; i < expressions.size(); ++i) glsl += fmt::format("  if (choice == {}) return {};\n", i, expressions[i]);
-  return build("expressions", glsl + "  return vec4(0.0);\n}\n", {"chosen(int(points[i].light.w), s, a, b)"});
+  return build("expressions", glsl + "  return vec4(0.0);\n}\n", {"chosen(int(points[i].light.w), s, a, b)"}, kOwnAlpha);
 }
 
-Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, std::optional<bool> compensate) {
-  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"},
-                 compensate.value_or(model.compensate));
+Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, std::optional<bool> compensate, bool ownAlpha) {
+  return ofOutputs(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), dot(modelScattered(s, p), vec3(1.0)))"},
+                 compensate.value_or(model.compensate), ownAlpha);
 }
 
-Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofModel(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
+Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofOutputs(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
 
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, std::optional<bool> compensate) {
-  return ofModel(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
+  return ofOutputs(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
                          "vec4(modelF(s, p), 0.0)"}, compensate.value_or(model.compensate));
 }
 
-Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, const std::vector<std::string>& outputs, bool compensate) {
+Result<ModelProbe> ModelProbe::ofOutputs(const ShadingModel& model, const std::vector<std::string>& outputs, bool compensate, bool ownAlpha) {
   ModelSetting setting = modelSetting(model);
-  auto probe = build(model.file.string(), (compensate ? "#define COMPENSATE\n" : "") + setting.shader->glsl, outputs);
+  auto probe = build(model.file.string(), (compensate ? "#define COMPENSATE\n" : "") + setting.shader->glsl, outputs, ownAlpha ? kOwnAlpha : "");
   if (!probe) return modelErrors(model, probe.diagnostics()[0].what);
   probe->setting_ = std::move(setting);
   probe->tables_ = std::make_unique<ModelTables>();

@@ -45,13 +45,13 @@ class ModelProbe {
   // compile.
   static Result<ModelProbe> ofTerms(std::span<const Term>);
   // Expressions are GLSL of type vec4 from `Shading s` and `vec4 a, b` of the point, with all terms at hand. One output:
-  // the expression that the point chooses.
+  // the expression that the point chooses. Alpha is the square of the roughness, without the floor that pictures have.
   static Result<ModelProbe> ofChoices(const std::vector<std::string>& expressions);
   // Two outputs: (specular f, D) and (diffuse f, sum of the scattered light's channels), without cosine. Errors: at the plugin's own
   // lines; a model that takes too long to be asked for many values.
   // With `compensate`, which is as the head asks when not given, the specular f has the lobe of further bounces in it
-  // (renderer/model_tables.h).
-  static Result<ModelProbe> ofModel(const ShadingModel&, std::optional<bool> compensate = {});
+  // (renderer/model_tables.h). With `ownAlpha` alpha has no floor, which is for models without such tables.
+  static Result<ModelProbe> ofModel(const ShadingModel&, std::optional<bool> compensate = {}, bool ownAlpha = false);
   // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
   static Result<ModelProbe> ofModelParts(const ShadingModel&, std::optional<bool> compensate = {});
   // One output: what the model's own environment() reflects, for models that define it.
@@ -67,8 +67,9 @@ class ModelProbe {
 
  private:
   ModelProbe() = default;
-  static Result<ModelProbe> build(const std::string& name, const std::string& glsl, const std::vector<std::string>& outputs);
-  static Result<ModelProbe> ofModel(const ShadingModel&, const std::vector<std::string>& outputs, bool compensate);
+  static Result<ModelProbe> build(const std::string& name, const std::string& glsl, const std::vector<std::string>& outputs,
+                                  const std::string& defines = {});
+  static Result<ModelProbe> ofOutputs(const ShadingModel&, const std::vector<std::string>& outputs, bool compensate, bool ownAlpha = false);
   gl::Program program_;
   int outputs_ = 0;
   std::unique_ptr<ModelTables> tables_;      // of a model

@@ -50,7 +50,8 @@ Result<Measurement> verifyAll(BenchSetup& setup) {
 Result<Measurement> evaluateTerms(BenchSetup& setup) {
   constexpr size_t kCount = 10000;
   std::vector<EvaluationRequest> requests;
-  const std::vector<Term> library = terms();
+  std::vector<Term> library = terms();
+  std::erase_if(library, [](const Term& t) { return t.ofOwnD; });  // no values without a D
   for (size_t i = 0; i < kCount; ++i) {
     const Term& term = library[i % library.size()];
     const double t = double(i) / kCount;
@@ -59,7 +60,7 @@ Result<Measurement> evaluateTerms(BenchSetup& setup) {
     for (const TermParameter& p : term.parameters) request.numbers[p.name] = p.standard;
     requests.push_back(std::move(request));
   }
-  size_t missing = 0;
+  size_t missing = kCount;
   Measurement result = measure("eval.terms", setup.effort, [&] {
     missing = 0;
     for (const EvaluationResult& one : evaluate(requests, setup.libraries.models)) missing += one.values.empty();

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/option_values.h"
 #include "app/picture_file.h"
 #include "materials/base/files.h"
 #include "materials/base/json.h"
@@ -17,7 +19,9 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr uint64_t kLargestWork = uint64_t{64} << 20;
-constexpr size_t kMostReported = 20;
+constexpr size_t kMostReported = 20, kMostErrors = 100;
+
+using Faults = std::vector<EvaluationFault>;
 
 struct Work {
   std::string id;
@@ -25,58 +29,70 @@ struct Work {
   EvaluationRequest request;
 };
 
-// Numbers, lists of numbers and names, from an entry itself or its "args".
-void addArguments(const Json& object, EvaluationRequest& request) {
-  for (size_t i = 0; i < object.keys.size(); ++i) {
-    const std::string& key = object.keys[i];
-    const Json& value = object.items[i];
-    if (value.isNumber()) request.numbers[key] = value.number;
-    else if (value.isString()) request.names[key] = value.text;
-    else if (value.isArray() && !value.items.empty() &&
-             std::all_of(value.items.begin(), value.items.end(), [](const Json& v) { return v.isNumber(); }))
-      for (const Json& v : value.items) request.vectors[key].push_back(v.number);
+// An argument of an entry itself or of its "args".
+void readArgument(const std::string& key, const Json& value, EvaluationRequest& request, Faults& faults) {
+  const auto wrong = [&](Json::Kind wanted, std::string hint) {
+    faults.push_back({fmt::format("'{}' is {}, not {}", key, name(value.kind), wanted == Json::Kind::Array ? "a list of numbers" : name(wanted)), std::move(hint)});
+  };
+  switch (argumentKind(key)) {
+    case ArgumentKind::Number:
+      if (value.isNumber()) request.numbers[key] = value.number;
+      else if (value.isString() && finiteNumber(value.text)) wrong(Json::Kind::Number, fmt::format("write {} without quotes", value.text));
+      else wrong(Json::Kind::Number, writtenAs(Json::Kind::Number));
+      break;
+    case ArgumentKind::Numbers:
+      if (value.isArray() && std::all_of(value.items.begin(), value.items.end(), [](const Json& v) { return v.isNumber(); }))
+        for (const Json& v : value.items) request.vectors[key].push_back(v.number);
+      else if (value.isArray()) faults.push_back({fmt::format("'{}' holds something else than numbers", key), "write [0, 0.6, 0.8]"});
+      else wrong(Json::Kind::Array, "write [0, 0.6, 0.8]");
+      break;
+    case ArgumentKind::Name:
+      if (value.isString()) request.names[key] = value.text;
+      else wrong(Json::Kind::String, writtenAs(Json::Kind::String));
+      break;
   }
 }
 
 // The tables' own words for what an entry is: a term, a quantity, or the A and B of an environment BRDF.
-std::string subjectOf(const Json& entry) {
+std::string subjectOf(const Json& entry, Faults& faults) {
   for (const char* key : {"term", "quantity"})
-    if (const Json* text = entry.find(key); text && text->isString()) return text->text;
+    if (const Json* text = entry.find(key)) {
+      if (text->isString()) return text->text;
+      faults.push_back({fmt::format("'{}' is {}, not a text", key, name(text->kind)), "name what is to be evaluated, for example \"D_GGX\""});
+    }
   if (entry.find("model") && (entry.find("fresnel") || entry.find("A"))) return "environment_brdf";
   return {};
 }
 
-std::optional<Work> readEntry(const Json& entry, const std::string& file, const Json* models, Diagnostics& problems) {
-  const std::string place = fmt::format("{}:{}", file, entry.line);
-  if (!entry.isObject()) {
-    problems.push_back(error(place, fmt::format("an entry is {}", name(entry.kind)), "each is an object with id, term and args"));
-    return std::nullopt;
-  }
-  const Json* id = entry.find("id");
-  if (!id || !id->isString()) {
-    problems.push_back(error(place, "an entry has no id", "give each a text of its own"));
-    return std::nullopt;
-  }
-  Work work{id->text, entry.line, {}};
-  work.request.what = subjectOf(entry);
-  for (const char* key : {"model", "D", "G", "V", "F", "diffuse"})
-    if (const Json* text = entry.find(key); text && text->isString()) work.request.names[key] = text->text;
-  // The table's own name for D x G x F.
-  if (const auto model = work.request.names.find("model"); model != work.request.names.end() && models)
-    if (const Json* parts = models->find(model->second); parts && parts->isArray() && parts->items.size() >= 3)
-      model->second = parts->items[0].text + "*" + parts->items[1].text + "*" + parts->items[2].text;
+Work readEntry(const Json& entry, const std::string& id, const Json* models, Faults& faults) {
+  Work work{id, entry.line, {}};
+  work.request.what = subjectOf(entry, faults);
+  const auto mixOf = [](const Json& parts) { return parts.isArray() && parts.items.size() >= 3 ? &parts : nullptr; };
+  for (const char* key : {"model", "D", "G", "V", "F", "diffuse", "l", "v"})
+    if (const Json* value = entry.find(key); value && !(key == std::string_view("model") && mixOf(*value)))
+      readArgument(key, *value, work.request, faults);
+  // The tables' own ways to write D x G x F: its parts, or a name for them.
+  const auto named = work.request.names.find("model");
+  const Json* parts = entry.find("model") ? mixOf(*entry.find("model")) : nullptr;
+  if (const Json* listed = models && named != work.request.names.end() ? models->find(named->second) : nullptr) parts = mixOf(*listed);
+  if (parts) work.request.names["model"] = parts->items[0].text + "*" + parts->items[1].text + "*" + parts->items[2].text;
   if (const Json* args = entry.find("args")) {
-    if (args->isObject()) addArguments(*args, work.request);
-    else problems.push_back(error(fmt::format("{}:{}", file, args->line), "'args' is not an object", "name each argument"));
+    if (!args->isObject()) faults.push_back({"'args' is not an object", "name each argument"});
+    for (size_t i = 0; args->isObject() && i < args->keys.size(); ++i) {
+      // In both places the arguments' is the one.
+      work.request.vectors.erase(args->keys[i]);
+      readArgument(args->keys[i], args->items[i], work.request, faults);
+    }
   }
-  for (const char* key : {"l", "v"})
-    if (const Json* vector = entry.find(key); vector && vector->isArray() && !work.request.vectors.count(key))
-      for (const Json& v : vector->items) work.request.vectors[key].push_back(v.number);
   for (const std::string& key : entry.keys) work.request.extras.insert(key);
   return work;
 }
 
-Result<std::vector<Work>> readWork(const std::string& file) {
+std::string placeOf(const std::string& file, int line, size_t index, const std::string& id) {
+  return fmt::format("{}:{}: entry {}{}", file, line, index + 1, id.empty() ? "" : fmt::format(" '{}'", id));
+}
+
+Result<std::vector<Work>> readWork(const std::string& file, const ModelRegistry& registry) {
   const auto text = readFile(file, kLargestWork);
   if (!text) return text.diagnostics();
   const auto document = parseJson(*text, file, 1, {.bytes = kLargestWork});
@@ -85,10 +101,33 @@ Result<std::vector<Work>> readWork(const std::string& file) {
   if (!entries || !entries->isArray())
     return error(file, "holds no list of entries", "write a list of {\"id\", \"term\", \"args\"}, or an object with such \"entries\"");
   const Json* models = document->find("models");
+  const std::vector<Term> library = terms();
   Diagnostics problems;
   std::vector<Work> work;
-  for (const Json& entry : entries->items)
-    if (auto read = readEntry(entry, file, models, problems)) work.push_back(std::move(*read));
+  std::map<std::string, size_t> seen;  // ids, and where they were first
+  for (size_t i = 0; i < entries->items.size(); ++i) {
+    const Json& entry = entries->items[i];
+    Faults faults;
+    std::string id;
+    if (!entry.isObject()) {
+      faults.push_back({fmt::format("is {}", name(entry.kind)), "each is an object with id, term and args"});
+    } else if (const Json* given = entry.find("id"); !given || !given->isString()) {
+      faults.push_back({given ? fmt::format("has an id that is {}", name(given->kind)) : "has no id", "give each a text of its own"});
+    } else {
+      id = given->text;
+      if (const auto [first, fresh] = seen.try_emplace(id, i); !fresh)
+        faults.push_back({fmt::format("has the id of entry {} in line {}", first->second + 1, entries->items[first->second].line), "give each an id of its own"});
+      Work read = readEntry(entry, id, models, faults);
+      for (EvaluationFault& fault : faultsOf(read.request, registry, library)) faults.push_back(std::move(fault));
+      work.push_back(std::move(read));
+    }
+    for (EvaluationFault& fault : faults) problems.push_back(error(placeOf(file, entry.line, i, id), std::move(fault.what), std::move(fault.hint)));
+  }
+  if (problems.size() > kMostErrors) {
+    const size_t more = problems.size() - kMostErrors;
+    problems.resize(kMostErrors);
+    problems.push_back(error(file, fmt::format("has {} more faults", more), "the first are named above"));
+  }
   if (!problems.empty()) return problems;
   return work;
 }
@@ -101,26 +140,35 @@ ordered_json valueJson(const EvaluationResult& result) {
   return object;
 }
 
+// The first of many.
+void report(const std::string& file, const Diagnostics& all, const std::string& what) {
+  log::report(Diagnostics(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostReported))));
+  if (all.size() > kMostReported)
+    log::report(warning(file, fmt::format("{} more {}", all.size() - kMostReported, what), "the first are named above"));
+}
+
 int run(const Arguments& arguments) {
   const std::string file = arguments.get("work"), output = arguments.get("output");
   if (!output.empty())
     if (const Diagnostics problems = checkOutput(output, "--output", "list of values", {".json"}); !problems.empty()) return badInput(problems);
-  const auto work = readWork(file);
+  const ModelRegistry registry(arguments.modelFolders);
+  const auto work = readWork(file, registry);
   if (!work) return badInput(work.diagnostics());
   auto context = gl::Context::create({.backend = arguments.backend});
   if (!context) {
     log::report(context.diagnostics());
     return kNoContext;
   }
-  const ModelRegistry registry(arguments.modelFolders);
   std::vector<EvaluationRequest> requests;
   for (const Work& w : *work) requests.push_back(w.request);
   const std::vector<EvaluationResult> results = evaluate(requests, registry);
 
   ordered_json values = ordered_json::array();
-  Diagnostics missing;
+  Diagnostics missing, notes;
   for (size_t i = 0; i < results.size(); ++i) {
+    const std::string place = placeOf(file, (*work)[i].line, i, (*work)[i].id);
     if (results[i].fault.empty()) {
+      if (!results[i].note.empty()) notes.push_back(warning(place, results[i].note, "ask for a greater roughness, or for single terms"));
       // Values that an entry lists under its own names are asked for; others would be compared with nothing.
       EvaluationResult kept = results[i];
       if (kept.values.size() > 1)
@@ -128,8 +176,7 @@ int run(const Arguments& arguments) {
                                                                !requests[i].extras.count(v.first); });
       values.push_back({{"id", (*work)[i].id}, {"value", valueJson(kept)}});
     } else {
-      missing.push_back(warning(fmt::format("{}:{}", file, (*work)[i].line), fmt::format("'{}' is not evaluated: {}", (*work)[i].id, results[i].fault),
-                                results[i].hint));
+      missing.push_back(warning(place, "is not evaluated: " + results[i].fault, results[i].hint));
     }
   }
   const std::string text = values.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -138,12 +185,8 @@ int run(const Arguments& arguments) {
   }
   if (output.empty() || arguments.json) fmt::print("{}", text);
   else if (!arguments.quiet) fmt::print("{}\n", output);
-  if (missing.size() > kMostReported) {
-    const size_t more = missing.size() - kMostReported;
-    missing.resize(kMostReported);
-    missing.push_back(warning(file, fmt::format("{} more are not evaluated", more), "the first are named above"));
-  }
-  log::report(missing);
+  report(file, notes, "are computed with another alpha");
+  report(file, missing, "are not evaluated");
   return missing.empty() ? kDone : kVerdictNo;
 }
 

@@ -22,8 +22,13 @@ struct Shading {
 
 const float kPi = 3.14159265358979323846;
 
-// The one place where roughness becomes alpha. The floor keeps D finite in single precision.
+// The one place where roughness becomes alpha. The floor keeps highlights of lights without a size, and what is
+// interpolated between pixels, within single precision. With OWN_ALPHA it is left out: for numbers on request.
+#ifdef OWN_ALPHA
+float alphaFromRoughness(float roughness) { return roughness * roughness; }
+#else
 float alphaFromRoughness(float roughness) { return max(roughness * roughness, 5e-4); }
+#endif
 
 void setRoughness(inout Shading s, float roughness) {
   s.roughness = roughness;

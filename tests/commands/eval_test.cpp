@@ -91,10 +91,84 @@ TEST(EvalCommand, WhatCannotBeEvaluatedIsSaidAndNotInvented) {
   const auto ran = glint({"eval", "work.json"});
   EXPECT_EQ(ran.code, 1);
   EXPECT_EQ(json::parse(ran.out).size(), 1u);
-  EXPECT_THAT(ran.err, HasSubstr("work.json:3: 'typo' is not evaluated: 'D_GGGX' is nothing that can be evaluated; did you mean 'D_GGX'"));
-  EXPECT_THAT(ran.err, HasSubstr("'short' is not evaluated: 'D_GGX' needs the argument 'NoH'"));
-  EXPECT_THAT(ran.err, HasSubstr("'model' is not evaluated: unknown shading model"));
-  EXPECT_THAT(ran.err, HasSubstr("'nothing' is not evaluated"));
+  EXPECT_THAT(ran.err, HasSubstr("work.json:3: entry 2 'typo': is not evaluated: 'D_GGGX' is nothing that can be evaluated; did you mean 'D_GGX'"));
+  EXPECT_THAT(ran.err, HasSubstr("'short': is not evaluated: 'D_GGX' needs the argument 'NoH'"));
+  EXPECT_THAT(ran.err, HasSubstr("'model': is not evaluated: unknown shading model"));
+  EXPECT_THAT(ran.err, HasSubstr("'nothing': is not evaluated"));
+}
+
+// Pictures have a floor of alpha, numbers have it only where they are made as pictures are, and then say so.
+TEST(EvalCommand, SmallAlphasAreThoseAskedFor) {
+  write("work.json", R"([
+    {"id": "peak", "term": "D_GGX", "args": {"NoH": 1, "r": 0.01}},
+    {"id": "model", "term": "f_ggx", "args": {"r": 0.01, "F0": 1, "l": [0, 0, 1], "v": [0, 0, 1]}},
+    {"id": "tail", "term": "D_GTR", "args": {"gamma": 6, "r": 0.01, "NoH": 1}},
+    {"id": "mobile", "term": "D_Approx", "args": {"roughness": 0.01, "RoL": 1}},
+    {"id": "tables", "term": "f_GGX*Smith*None", "args": {"r": 0.01, "F0": 1, "l": [0, 0, 1], "v": [0, 0, 1]}},
+    {"id": "albedo", "term": "directional_albedo", "model": "ggx", "args": {"r": 0.01, "NoV": 0.5}},
+    {"id": "diffuse", "term": "diffuse_directional_albedo", "args": {"r": 0, "NoV": 0.5}},
+    {"id": "mirror", "term": "D_GGX", "args": {"NoH": 1, "r": 0}}])");
+  const auto ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 1) << ran.err;
+  const json values = json::parse(ran.out);
+  ASSERT_EQ(values.size(), 7u);
+  const auto near = [&](size_t i, double exact) { EXPECT_NEAR(values[i]["value"].get<double>(), exact, 1e-5 * exact) << values[i]["id"]; };
+  near(0, 1e8 / 3.14159265359);
+  near(1, 0.25e8 / 3.14159265359);
+  near(2, 5e8 / 3.14159265359);
+  near(3, 1e8);
+  near(4, 1 / (4 * 3.14159265359 * 5e-4 * 5e-4));
+  EXPECT_EQ(ran.errorLines().size(), 3u) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("entry 5 'tables': is computed with alpha 0.0005 (roughness 0.0224), the smallest that pictures have, instead of 0.0001"));
+  EXPECT_THAT(ran.err, HasSubstr("entry 6 'albedo': is computed with alpha 0.0005"));
+  EXPECT_THAT(ran.err, HasSubstr("entry 8 'mirror': is not evaluated: 'value' is not finite there"));
+}
+
+TEST(EvalCommand, ParametersOfModelsReachTheirValues) {
+  write("work.json", R"([
+    {"id": "a", "term": "f_burley", "args": {"r": 0.5, "F0": 1, "gamma": 2, "metallic": 1, "l": [0, 0, 1], "v": [0, 0, 1]}},
+    {"id": "b", "term": "f_GGX*SmithGGX*Schlick", "args": {"r": 0.5, "F0": 1, "NoL": 1.0000003, "NoV": 1, "NoH": 1, "VoH": 1}}])");
+  const auto ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const json values = json::parse(ran.out);
+  EXPECT_NEAR(values[0]["value"].get<double>(), values[1]["value"].get<double>(), 1e-5);
+}
+
+// Each fault at its entry, all at once, and nothing is written.
+TEST(EvalCommand, ArgumentsThatCannotBe) {
+  write("work.json", R"([
+    {"id": "text", "term": "D_GGX", "args": {"NoH": "0.5", "r": 0.5}},
+    {"id": "two", "term": "D_GGX", "args": {"NoH": 2, "r": 1.5}},
+    {"id": "two", "term": "G_SmithGGX", "args": {"NoL": -0.2, "NoV": 0.5, "r": 0.5}},
+    {"id": "below", "term": "D_Approx", "args": {"RoL": -1.5, "r": -0.5}},
+    {"id": "typo", "term": "D_GTR", "args": {"NoH": 0.5, "r": 0.5, "gama": 2}},
+    {"id": "parameter", "term": "f_burley", "args": {"NoH": 1, "NoL": 1, "NoV": 1, "VoH": 1, "F0": 1, "r": 0.5, "gamma": 99}},
+    {"id": "far", "term": "f_ggx", "args": {"r": 0.5, "F0": 1, "l": [0, 0, 2], "v": [0, 0.6, -0.8]}},
+    {"id": "kinds", "term": "f_ggx", "args": {"r": 0.5, "alpha": 0.5, "F0": true, "l": [0, 0], "v": "up"}},
+    {"id": 3},
+    {"id": "good", "term": "F_Schlick", "args": {"F0": 0.04, "VoH": 1}}])");
+  const auto ran = glint({"eval", "work.json", "-o", "values.json"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_FALSE(std::filesystem::exists(scratch() / "values.json"));
+  for (const char* line : {"work.json:2: entry 1 'text': 'NoH' is a string, not a number; write 0.5 without quotes",
+                           "work.json:3: entry 2 'two': NoH 2 is out of range; a cosine above the surface is from 0 to 1",
+                           "work.json:3: entry 2 'two': r 1.5 is out of range; a roughness is from 0 to 1",
+                           "work.json:4: entry 3 'two': has the id of entry 2 in line 3; give each an id of its own",
+                           "work.json:4: entry 3 'two': NoL -0.2 is out of range",
+                           "work.json:5: entry 4 'below': RoL -1.5 is out of range; a cosine is from -1 to 1",
+                           "work.json:5: entry 4 'below': r -0.5 is out of range",
+                           "work.json:6: entry 5 'typo': 'D_GTR' has no argument 'gama'; did you mean 'gamma'?",
+                           "work.json:7: entry 6 'parameter': gamma 99 is out of range; 1 to 4 are allowed",
+                           "work.json:8: entry 7 'far': the direction 'l' is 2 long; give it the length 1",
+                           "work.json:8: entry 7 'far': the direction 'v' points below the surface",
+                           "work.json:9: entry 8 'kinds': 'F0' is true or false, not a number",
+                           "work.json:9: entry 8 'kinds': 'v' is a string, not a list of numbers",
+                           "work.json:9: entry 8 'kinds': 'l' has 2 numbers",
+                           "work.json:9: entry 8 'kinds': the roughness is given twice",
+                           "work.json:10: entry 9: has an id that is a number; give each a text of its own"})
+    EXPECT_THAT(ran.err, HasSubstr(line));
+  EXPECT_EQ(ran.errorLines().size(), 16u) << ran.err;
 }
 
 TEST(EvalCommand, BadInput) {
