@@ -70,7 +70,7 @@ std::string tablesGlsl(const ShadingModel& model) {
   constexpr const char* kFile = "shaders/common/model_tables.glsl";
   const auto file = shipped::read(kFile);
   GLINT_CHECK(file.has_value(), "{} is not among the shipped files", kFile);
-  std::string text = (model.smithOfOwnD ? "#define GLINT_SMITH_OF_OWN_D\n" : "") + *file;
+  std::string text = (model.usesTangent ? "#define MODEL_TANGENT\n" : "") + std::string(model.smithOfOwnD ? "#define GLINT_SMITH_OF_OWN_D\n" : "") + *file;
   if (model.smithOfOwnD)
     for (const Term& term : terms())
       if (term.ofOwnD)
@@ -140,7 +140,6 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
                                   "#else\n  return modelSingleBounce(s, p);\n#endif\n");
   vectorFunction("modelLobeWhite", model.definesSpecular ? "return modelLobe(s, p);" : "return vec3(D(s, p) * V(s, p));");
   vectorFunction("modelWhite", model.definesSpecular || model.definesCoat ? "return modelSingleBounce(s, p);" : "return vec3(D(s, p) * V(s, p));");
-  if (model.usesTangent) text += "#define MODEL_TANGENT\n";
   text += fmt::format("const bool modelHasEnvironment = {}, modelScatters = {};\n", model.definesEnvironment, model.definesScattered);
   vectorFunction("modelEnvironment", model.definesEnvironment ? "return environment(s, p);" : "return vec3(0.0);");
   vectorFunction("modelScattered", model.definesScattered ? "return scattered(s, p);" : "return vec3(0.0);");

@@ -111,12 +111,12 @@ class Examination {
         Value value = p.standard;
         value.v.fill(end);
         probe->set(p.name, value);
-        integrals->set(p.name, value);
+        if (p.name != model_.tangentRotation) integrals->set(p.name, value);  // which no sum around the normal sees
         setting_ = fmt::format(", {} {}", p.fileName.empty() ? p.name : p.fileName, end);
         if (stopped()) return;
         values(*probe);
         if (result(Law::Finite).verdict == Verdict::Red) return;
-        energy(*integrals, kCoarseRoughness, kCoarseNoV);
+        if (p.name != model_.tangentRotation) energy(*integrals, kCoarseRoughness, kCoarseNoV);
       }
       probe->set(p.name, p.standard);
       integrals->set(p.name, p.standard);
@@ -144,8 +144,9 @@ class Examination {
                        model_.isWhole() ? "" : fmt::format(", F0 {:.2g}", p.F0.g), setting_);
   }
   std::string at(const IntegralQuery& q) const {
-    return fmt::format("{}NoV {:.3g}{}{}", roughnessText(q.roughness), q.NoV, q.analyticLight ? "" : ", under an environment",
-                       setting_);
+    return fmt::format("{}NoV {:.3g}{}{}{}", roughnessText(q.roughness), q.NoV,
+                       q.azimuth == 0 ? "" : fmt::format(", {:.3g} degrees from the tangent", static_cast<double>(q.azimuth) / pi * 180),
+                       q.analyticLight ? "" : ", under an environment", setting_);
   }
 
   void values(const ModelProbe& probe) {
@@ -196,7 +197,12 @@ class Examination {
     std::vector<IntegralQuery> queries;
     for (const bool light : {true, false})
       for (const float r : model_.reads("roughness") ? roughness : std::vector{0.5f})
-        for (const float v : NoV) queries.push_back({r, v, light});
+        for (const float v : NoV) {
+          // From all sides by turns, also such as a lobe that mirrors in both axes cannot tell apart.
+          constexpr float kDegrees[] = {0, 90, -35, 15, 75, 130, 48};
+          const float side = model_.usesTangent ? kDegrees[queries.size() % std::size(kDegrees)] : 0;
+          queries.push_back({.roughness = r, .NoV = v, .analyticLight = light, .azimuth = side / 180 * std::numbers::pi_v<float>});
+        }
     const std::vector<ModelIntegral> sums = integrals.evaluate(queries);
     // A specular part that does not follow F0 is never white. Where light grazes Fresnel hides it: the last query does not.
     const ModelIntegral& facing = sums.back();
@@ -231,7 +237,8 @@ class Examination {
     if (!compensate_ || albedo >= 1 - kFurnace) return;
     law.verdict = law.claimed ? Verdict::Red : Verdict::Amber;
     law.reason = fmt::format("a compensated white surface keeps only {:.4f} of uniform light", albedo);
-    law.hint = "compensation gives back what the albedo towards light and view lacks: both must be the same function";
+    law.hint = model_.usesTangent ? "what a bounce loses is tabulated by angle, roughness and one quarter around the tangent: is the lobe the same on both its sides?"
+                                  : "what a bounce loses is tabulated by angle and roughness: is there a step in either?";
   }
 
   void distribution(double integral, const IntegralQuery& query) {

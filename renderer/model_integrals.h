@@ -18,9 +18,10 @@ struct IntegralQuery {
   bool analyticLight = true;   // or an environment: some models differ
   glm::vec3 diffuseColor{1};
   glm::vec3 F0{1};             // of ModelIntegral::specular
+  float azimuth = 0;           // of the view against the tangent, in radians, for models that use it
 };
 
-// Of one query; the view lies in the plane of the tangent.
+// Of one query.
 struct ModelIntegral {
   glm::dvec3 specular{};       // directional albedo of the specular part for the query's F0: of f NoL
   glm::dvec3 specularBlack{};  // and for F0 = 0: the B of the environment BRDF; A is the rest for F0 1 (Karis 2013, eq. 8)
@@ -50,12 +51,22 @@ class ModelIntegrals {
   // Good to about 1e-3 of each value from roughness 0.05 up, for lobes of any width around the half vector.
   std::vector<ModelIntegral> evaluate(std::span<const IntegralQuery>) const;
 
-  // 2 times the integral of E(NoV) NoV over NoV from 0 to 1: the part of uniform light from all sides that the
-  // specular part sends back.
+  // 2 times the integral of E(NoV) NoV over NoV from 0 to 1, and its mean around the normal: the part of uniform light
+  // from all sides that the specular part sends back.
   double averageAlbedo(float roughness, bool analyticLight = true) const;
 
+  // For each roughness by how much the lobe seen along the normal is wider along the bitangent than along the tangent, as
+  // slopes of the half vectors at which it has fallen to a half: 1 for a model that does not use the tangent.
+  std::vector<float> aspects(std::span<const float> roughnesses) const;
+
  private:
+  struct Nodes;
+  struct Sums;
   ModelIntegrals() = default;
+  static Nodes makeNodes(int polar, int quarter);
+  // By query, then polar node. `aspects` are the queries'.
+  std::vector<Sums> sums(std::span<const IntegralQuery>, std::span<const float> aspects, std::span<const glm::vec4> polar,
+                         std::span<const glm::vec4> around) const;
   ModelSetting setting_;
   std::unique_ptr<ModelTables> tables_;
   IntegralOptions options_;

@@ -20,7 +20,7 @@ namespace {
 using std::numbers::pi;
 
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 2;
+constexpr uint64_t kCacheVersion = 3;
 constexpr GLuint kAreasUnit = 13, kLossesUnit = 14, kReflectancesUnit = 15;
 
 // As shaders/common/model_tables.glsl has them.
@@ -176,35 +176,150 @@ std::vector<double> averageWeights(int count) {
 
 double largest(const glm::dvec3& v) { return std::max({v.r, v.g, v.b}); }
 
-// One half of a LossTable from the integrals at its roughnesses and cosines.
-void addLosses(std::span<const ModelIntegral> integrals, bool followsF0, LossTable& table, size_t texel) {
+// How much of a turn around the normal each layer stands for.
+std::vector<double> layerShares(int layers, double aspect) {
+  constexpr int kSteps = 512;
+  std::vector<double> shares(static_cast<size_t>(layers), 0.0);
+  if (layers == 1) return {1.0};
+  for (int i = 0; i < kSteps; ++i) {
+    const double azimuth = 0.5 * pi * (i + 0.5) / kSteps;
+    // As glintAcross() of shaders/common/model_tables.glsl.
+    const double layer = (layers - 1) * std::atan2(std::sqrt(aspect) * std::sin(azimuth), std::cos(azimuth)) * 2 / pi;
+    const size_t below = std::min(static_cast<size_t>(layer), shares.size() - 2);
+    const double above = layer - static_cast<double>(below);
+    shares[below] += (1 - above) / kSteps;
+    shares[below + 1] += above / kSteps;
+  }
+  return shares;
+}
+
+// The azimuth against the tangent at `across` of glintAcross(), in radians.
+double azimuthAt(double across, double aspect) { return std::atan2(std::sin(0.5 * pi * across), std::sqrt(aspect) * std::cos(0.5 * pi * across)); }
+
+// The weights of values at `count` azimuths, even from 0 to 1, for the one at `across`: what is even about both axes is a
+// series of cosines.
+std::vector<double> cosineSeries(int count, double across) {
+  const int last = count - 1;
+  std::vector<double> weights;
+  for (int j = 0; j <= last; ++j) {
+    double sum = 0;
+    for (int k = 0; k <= last; ++k) sum += (k == 0 || k == last ? 0.5 : 1) * std::cos(pi * k * j / last) * std::cos(pi * k * across);
+    weights.push_back(2.0 / last * (j == 0 || j == last ? 0.5 : 1) * sum);
+  }
+  return weights;
+}
+
+ModelIntegral weighted(const ModelIntegral& a, double x) {
+  ModelIntegral made;
+  made.specular = x * a.specular;
+  made.specularBlack = x * a.specularBlack;
+  made.white = x * a.white;
+  return made;
+}
+void add(ModelIntegral& to, const ModelIntegral& a, double x) {
+  to.specular += x * a.specular;
+  to.specularBlack += x * a.specularBlack;
+  to.white += x * a.white;
+}
+
+// Along one axis of a table, where `stride` apart are `count` integrals and `blocks` of these axes follow each other: those
+// half way between are put in, by the parabola or the cubic through the nearest. Up to the index `straight` by a line.
+std::vector<ModelIntegral> twiceAsMany(const std::vector<ModelIntegral>& coarse, size_t count, size_t stride, size_t straight) {
+  const size_t blocks = coarse.size() / (count * stride), fineCount = 2 * count - 1;
+  std::vector<ModelIntegral> fine(blocks * fineCount * stride);
+  for (size_t b = 0; b < blocks; ++b)
+    for (size_t k = 0; k < stride; ++k) {
+      const auto at = [&](size_t i) -> const ModelIntegral& { return coarse[(b * count + i) * stride + k]; };
+      for (size_t i = 0; i < count; ++i) {
+        fine[(b * fineCount + 2 * i) * stride + k] = at(i);
+        if (i + 1 == count) break;
+        ModelIntegral& middle = fine[(b * fineCount + 2 * i + 1) * stride + k];
+        if (i < straight) {
+          middle = weighted(at(i), 0.5);
+          add(middle, at(i + 1), 0.5);
+        } else if (i == straight || i + 2 == count) {
+          const bool up = i == straight;
+          middle = weighted(at(up ? i : i + 1), 3.0 / 8);
+          add(middle, at(up ? i + 1 : i), 6.0 / 8);
+          add(middle, at(up ? i + 2 : i - 1), -1.0 / 8);
+        } else {
+          middle = weighted(at(i), 9.0 / 16);
+          add(middle, at(i + 1), 9.0 / 16);
+          add(middle, at(i - 1), -1.0 / 16);
+          add(middle, at(i + 2), -1.0 / 16);
+        }
+      }
+    }
+  return fine;
+}
+
+// One half of a LossTable, which begins at `first` of its losses and `texel` of its rows, from the integrals by layer,
+// roughness and cosine.
+void addLosses(std::span<const ModelIntegral> integrals, bool followsF0, std::span<const float> aspects, LossTable& table, size_t first, size_t texel) {
   constexpr size_t kRow = LossTable::kCosines;
   const std::vector<double> weights = averageWeights(LossTable::kCosines);
-  for (size_t r = 0; r < integrals.size() / kRow; ++r) {
+  const size_t rows = aspects.size(), layers = static_cast<size_t>(table.layers);
+  for (size_t r = 0; r < rows; ++r) {
+    const std::vector<double> shares = layerShares(table.layers, static_cast<double>(aspects[r]));
+    const auto at = [&](size_t layer, size_t c) { return (layer * rows + r) * kRow + c; };
     double meanLoss = 0, white = 0;
     glm::dvec3 specular(0), black(0);
     bool sound = true;
-    for (size_t c = 0; c < kRow; ++c) {
-      const ModelIntegral& i = integrals[r * kRow + c];
-      const double E = largest(i.white);
-      white += weights[c] * E;
-      specular += weights[c] * i.specular;
-      black += weights[c] * i.specularBlack;
-      sound &= std::isfinite(E + largest(i.specular) + largest(i.specularBlack));
-    }
+    for (size_t layer = 0; layer < layers; ++layer)
+      for (size_t c = 0; c < kRow; ++c) {
+        const ModelIntegral& i = integrals[at(layer, c)];
+        const double E = largest(i.white), weight = shares[layer] * weights[c];
+        white += weight * E;
+        specular += weight * i.specular;
+        black += weight * i.specularBlack;
+        sound &= std::isfinite(E + largest(i.specular) + largest(i.specularBlack));
+      }
     const bool known = sound && white > 1e-3 && (!followsF0 || largest(specular - black) > 0.05 * white);
-    for (size_t c = 0; c < kRow; ++c) {
-      const double loss = known ? std::clamp(1 - largest(integrals[r * kRow + c].white), 0.0, 1.0) : 0.0;
-      table.losses.push_back(static_cast<float>(loss));
-      meanLoss += weights[c] * loss;
-    }
+    for (size_t layer = 0; layer < layers; ++layer)
+      for (size_t c = 0; c < kRow; ++c) {
+        const double loss = known ? std::clamp(1 - largest(integrals[at(layer, c)].white), 0.0, 1.0) : 0.0;
+        table.losses[first + at(layer, c)] = static_cast<float>(loss);
+        meanLoss += shares[layer] * weights[c] * loss;
+      }
     glm::vec4* row = &table.reflectances[4 * r + texel];
     row[0] = known ? glm::vec4((specular - black) / white, meanLoss) : glm::vec4(0);
-    row[1] = known ? glm::vec4(black / white, 0) : glm::vec4(0);
+    row[1] = glm::vec4(known ? glm::vec3(black / white) : glm::vec3(0), aspects[r]);
   }
 }
 
+// Of a model that does not read the roughness one row is as good as all.
+int lossRows(const ShadingModel& model) { return model.reads("roughness") ? LossTable::kRoughnesses : 1; }
+
+// Whether a few views lose the same from all sides.
+bool lostAllAround(const ModelIntegrals& integrals, std::span<const float> roughnesses) {
+  const double azimuths[] = {0, 0.2 * pi, 0.35 * pi, 0.5 * pi};
+  std::vector<IntegralQuery> queries;
+  for (size_t r = 0; r < roughnesses.size(); r += 15)
+    for (const float NoV : {0.02f, 0.3f, 0.8f})
+      for (const double azimuth : azimuths) queries.push_back({.roughness = roughnesses[r], .NoV = NoV, .azimuth = static_cast<float>(azimuth)});
+  const std::vector<ModelIntegral> sums = integrals.evaluate(queries);
+  for (size_t i = 0; i < sums.size(); ++i)
+    if (!(std::abs(largest(sums[i].white) - largest(sums[i / std::size(azimuths) * std::size(azimuths)].white)) < 5e-4)) return false;
+  return true;
+}
+
 constexpr size_t kAreaLayer = size_t{ProjectedAreaTable::kCosines} * ProjectedAreaTable::kRoughnesses;
+
+// What bounces() stored; false when it is not that.
+bool readLosses(const std::string& bytes, int rows, LossTable& table) {
+  const size_t reflectances = 4 * static_cast<size_t>(rows) * sizeof(glm::vec4), layer = 2 * sizeof(float) * static_cast<size_t>(rows) * LossTable::kCosines;
+  for (const int layers : {1, LossTable::kLayers}) {
+    if (bytes.size() != reflectances + static_cast<size_t>(layers) * layer) continue;
+    table.rows = rows;
+    table.layers = layers;
+    table.reflectances.resize(4 * static_cast<size_t>(rows));
+    table.losses.resize((bytes.size() - reflectances) / sizeof(float));
+    std::memcpy(static_cast<void*>(table.reflectances.data()), bytes.data(), reflectances);
+    std::memcpy(table.losses.data(), bytes.data() + reflectances, bytes.size() - reflectances);
+    return true;
+  }
+  return false;
+}
 
 gl::Texture layeredTexture(int width, int height, int layers, const float* values) {
   GLuint id = 0;
@@ -248,27 +363,59 @@ Result<ProjectedAreaTable> projectedAreas(const ModelSetting& setting) {
 }
 
 Result<LossTable> losses(const ModelSetting& setting) {
-  const auto integrals = ModelIntegrals::of(setting, {.compensate = false, .specularOnly = true, .polar = 48, .quarter = 8});
+  const ShadingModel& model = *setting.shader->model;
+  const auto integrals = ModelIntegrals::of(setting, {.compensate = false, .specularOnly = true, .polar = 48, .quarter = model.usesTangent ? 14 : 8});
   if (!integrals) return integrals.diagnostics();
-  std::vector<IntegralQuery> queries, some;
-  for (const double roughness : tableRoughnesses(LossTable::kRoughnesses))
-    for (const double cosine : tableCosines(LossTable::kCosines))
-      // As safeCosine() of shading.glsl.
-      queries.push_back({.roughness = static_cast<float>(roughness), .NoV = static_cast<float>(std::max(cosine, 1e-4))});
   LossTable table;
-  table.reflectances.resize(4 * size_t{LossTable::kRoughnesses});
-  const bool followsF0 = setting.shader->model->definesSpecular;
-  const std::vector<ModelIntegral> lights = integrals->evaluate(queries);
-  addLosses(lights, followsF0, table, 0);
+  table.rows = lossRows(model);
+  std::vector<float> roughnesses;
+  for (const double r : tableRoughnesses(LossTable::kRoughnesses)) roughnesses.push_back(static_cast<float>(r));
+  roughnesses.resize(static_cast<size_t>(table.rows));
+  const std::vector<float> aspects = integrals->aspects(roughnesses);
+  // By layer, roughness and cosine. From several sides only every second roughness and cosine is asked for: their number
+  // makes up for it.
+  constexpr int kAsked = 7;
+  const bool allAround = !model.usesTangent || lostAllAround(*integrals, roughnesses);
+  table.layers = allAround ? 1 : LossTable::kLayers;
+  const size_t step = allAround ? 1 : 2, rows = (roughnesses.size() - 1) / step + 1, columns = (LossTable::kCosines - 1) / step + 1;
+  const std::vector<double> cosines = tableCosines(LossTable::kCosines);
+  const auto evaluate = [&](bool light, size_t stride) {
+    std::vector<IntegralQuery> queries;
+    for (size_t i = 0; i < (allAround ? 1 : kAsked) * rows * columns; i += stride) {
+      const size_t r = i / columns % rows * step;
+      const double across = static_cast<double>(i / columns / rows) / (kAsked - 1);
+      queries.push_back({.roughness = roughnesses[r],
+                         .NoV = static_cast<float>(std::max(cosines[i % columns * step], 1e-4)),  // as safeCosine() of shading.glsl
+                         .analyticLight = light,
+                         .azimuth = static_cast<float>(azimuthAt(across, static_cast<double>(aspects[r])))});
+    }
+    return integrals->evaluate(queries);
+  };
+  const auto whole = [&](std::vector<ModelIntegral> asked) {
+    if (allAround) return asked;
+    asked = twiceAsMany(asked, columns, 1, 0);
+    // The floor of alpha is a corner, at the second of these rows.
+    if (rows > 1) asked = twiceAsMany(asked, rows, LossTable::kCosines, 1);
+    const size_t layer = asked.size() / kAsked;
+    std::vector<ModelIntegral> all(layer * LossTable::kLayers);
+    for (int to = 0; to < LossTable::kLayers; ++to) {
+      const std::vector<double> weights = cosineSeries(kAsked, static_cast<double>(to) / (LossTable::kLayers - 1));
+      for (size_t from = 0; from < kAsked; ++from)
+        for (size_t i = 0; i < layer; ++i) add(all[static_cast<size_t>(to) * layer + i], asked[from * layer + i], weights[from]);
+    }
+    return all;
+  };
+  table.losses.resize(2 * static_cast<size_t>(table.layers) * roughnesses.size() * LossTable::kCosines);
+  table.reflectances.resize(4 * roughnesses.size());
+  const bool followsF0 = model.definesSpecular;
+  const std::vector<ModelIntegral> lights = evaluate(true, 1), lightsWhole = whole(lights);
+  addLosses(lightsWhole, followsF0, aspects, table, 0, 0);
   // Few models differ under an environment: a few values tell.
   constexpr size_t kStride = 53;
-  for (IntegralQuery& q : queries) q.analyticLight = false;
-  for (size_t i = 0; i < queries.size(); i += kStride) some.push_back(queries[i]);
-  const std::vector<ModelIntegral> probes = integrals->evaluate(some);
+  const std::vector<ModelIntegral> some = evaluate(false, kStride);
   bool same = true;
-  for (size_t i = 0; i < some.size(); ++i)
-    same &= probes[i].white == lights[i * kStride].white && probes[i].specular == lights[i * kStride].specular;
-  addLosses(same ? lights : integrals->evaluate(queries), followsF0, table, 2);
+  for (size_t i = 0; i < some.size(); ++i) same &= some[i].white == lights[i * kStride].white && some[i].specular == lights[i * kStride].specular;
+  addLosses(same ? lightsWhole : whole(evaluate(false, 1)), followsF0, aspects, table, table.losses.size() / 2, 2);
   return table;
 }
 
@@ -294,30 +441,22 @@ Result<GLuint> ModelTables::areas(const ModelSetting& setting) {
 }
 
 Result<const ModelTables::LossTextures*> ModelTables::bounces(const ModelSetting& setting) {
-  constexpr size_t kLosses = 2 * size_t{LossTable::kCosines} * LossTable::kRoughnesses * sizeof(float),
-                   kReflectances = 4 * size_t{LossTable::kRoughnesses} * sizeof(glm::vec4);
   const uint64_t key = setting.key() ^ recipeHash();
   if (const LossTextures* found = bounces_.find(key)) return found;
   LossTable table;
-  if (const auto stored = diskCache_ ? readCache("losses", key) : std::nullopt; stored && stored->size() == kLosses + kReflectances) {
-    table.losses.resize(kLosses / sizeof(float));
-    table.reflectances.resize(kReflectances / sizeof(glm::vec4));
-    std::memcpy(table.losses.data(), stored->data(), kLosses);
-    std::memcpy(static_cast<void*>(table.reflectances.data()), stored->data() + kLosses, kReflectances);
-  } else {
+  if (const auto stored = diskCache_ ? readCache("losses", key) : std::nullopt; !stored || !readLosses(*stored, lossRows(*setting.shader->model), table)) {
     const std::string what = "further bounces of " + setting.shader->model->title;
     if (progress_) progress_(what, 0);
     auto made = glint::losses(setting);
     if (!made) return made.diagnostics();
     table = std::move(*made);
     if (diskCache_)
-      writeCache("losses", key, std::string(reinterpret_cast<const char*>(table.losses.data()), kLosses) +
-                                    std::string(reinterpret_cast<const char*>(table.reflectances.data()), kReflectances));
+      writeCache("losses", key, std::string(reinterpret_cast<const char*>(table.reflectances.data()), table.reflectances.size() * sizeof(glm::vec4)) +
+                                    std::string(reinterpret_cast<const char*>(table.losses.data()), table.losses.size() * sizeof(float)));
     if (progress_) progress_(what, 1);
   }
-  LossTextures textures{layeredTexture(LossTable::kCosines, LossTable::kRoughnesses, 2, table.losses.data()),
-                        gl::createTexture2D(GL_RGBA32F, 4, LossTable::kRoughnesses)};
-  glTextureSubImage2D(textures.reflectances.id(), 0, 0, 0, 4, LossTable::kRoughnesses, GL_RGBA, GL_FLOAT, table.reflectances.data());
+  LossTextures textures{layeredTexture(LossTable::kCosines, table.rows, 2 * table.layers, table.losses.data()), gl::createTexture2D(GL_RGBA32F, 4, table.rows)};
+  glTextureSubImage2D(textures.reflectances.id(), 0, 0, 0, 4, table.rows, GL_RGBA, GL_FLOAT, table.reflectances.data());
   glTextureParameteri(textures.reflectances.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(textures.reflectances.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(textures.reflectances.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

@@ -31,15 +31,20 @@ struct ProjectedAreaTable {
 // Errors: GLSL that does not compile, at the plugin's own lines.
 Result<ProjectedAreaTable> projectedAreas(const ModelSetting&);
 
-// For each roughness and cosine, under lights and then under an environment: what a single bounce off facets that reflect
-// all loses, 1 - E; 0 where a model gains. E is the largest channel's: what the others lose beyond it is taken up by the
-// model's own colour, not lost to roughness. A specular() that does not follow F0 cannot be asked for white facets: nothing
-// is known to be lost.
+// What a single bounce off facets that reflect all loses, 1 - E, by lighting (lights, then an environment), layer, roughness
+// and cosine; 0 where a model gains. E is the largest channel's: what the others lose beyond it is taken up by the model's
+// own colour, not lost to roughness. A specular() that does not follow F0 cannot be asked for white facets: nothing is known
+// to be lost.
 struct LossTable {
-  static constexpr int kCosines = 49, kRoughnesses = 61;
+  static constexpr int kCosines = 49, kRoughnesses = 61, kLayers = 25;
+  // By azimuth from the tangent (the first) to the bitangent, even in glintAcross() of shaders/common/model_tables.glsl. 1
+  // when the model loses the same all around. All quarters are taken as one: its lobe mirrors in both axes.
+  int layers = 1;
+  int rows = kRoughnesses;  // 1 for a model that does not read the roughness
   std::vector<float> losses;
   // For each roughness, under lights and then under an environment, a scale on F0 and a bias: the reflectance of the
-  // facets averaged over what a single bounce sends back; w of the scale is the loss of uniform light.
+  // facets averaged over what a single bounce sends back; w of the scale is the loss of uniform light, w of the bias
+  // ModelIntegrals::aspects().
   std::vector<glm::vec4> reflectances;
 };
 // Errors: as projectedAreas().

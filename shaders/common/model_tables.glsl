@@ -34,25 +34,40 @@ ProjectedAreas glintProjectedAreas(Shading s) {
 #endif
 
 #ifdef COMPENSATE
-// What a single bounce loses, 1 - E(cosine) for facets that reflect all. Layer 0: under lights; 1: under an environment.
+// What a single bounce loses, 1 - E(cosine) for facets that reflect all. The first half of its layers is under lights, the
+// other under an environment: one each, or, for a model that loses more from one side than from another, one for each glintAcross().
 layout(binding = 14) uniform sampler2DArray glintLosses;
 // Texels across: under lights the average reflectance of the facets as scale on F0 and bias, then both under an
-// environment; in w the mean of the loss.
+// environment; w of the first is the mean of the loss, w of the second how much wider the lobe is along the bitangent.
 layout(binding = 15) uniform sampler2D glintReflectances;
 
-struct GlintBounces { vec3 scale, bias; float meanLoss, view; };
+struct GlintBounces { vec3 scale, bias; float meanLoss, view, aspect; };
 
-float glintLoss(Shading s, float cosine) {
+// From 0 along the tangent to 1 along the bitangent: half way from the azimuth itself to that on a circle stretched as the
+// lobe is, so that neither the steep side of a long lobe nor the other is crowded.
+float glintAcross(Shading s, vec3 direction, float aspect) {
+  vec2 around = abs(vec2(dot(s.T, direction), sqrt(aspect) * dot(s.B, direction)));
+  return around.x + around.y > 0.0 ? atan(around.y, around.x) * (2.0 / kPi) : 0.0;
+}
+
+float glintLoss(Shading s, vec3 direction, float cosine, float aspect) {
   vec2 at = glintTexel(glintTableX(cosine), glintTableY(s.roughness), kGlintLossSize);
+#ifdef MODEL_TANGENT
+  float layers = float(textureSize(glintLosses, 0).z / 2), first = s.analyticLight ? 0.0 : layers;
+  if (layers == 1.0) return textureLod(glintLosses, vec3(at, first), 0.0).r;
+  float layer = (layers - 1.0) * glintAcross(s, direction, aspect), below = min(floor(layer), layers - 2.0);
+  return mix(textureLod(glintLosses, vec3(at, first + below), 0.0).r, textureLod(glintLosses, vec3(at, first + below + 1.0), 0.0).r, layer - below);
+#else
   return textureLod(glintLosses, vec3(at, s.analyticLight ? 0.0 : 1.0), 0.0).r;
+#endif
 }
 
 // All but what depends on the light.
 GlintBounces glintBouncesTowards(Shading s) {
   float y = glintTexel(0.0, glintTableY(s.roughness), kGlintLossSize).y, x = s.analyticLight ? 0.125 : 0.625;
   vec4 scale = textureLod(glintReflectances, vec2(x, y), 0.0);
-  vec3 bias = textureLod(glintReflectances, vec2(x + 0.25, y), 0.0).rgb;
-  return GlintBounces(scale.rgb, bias, scale.w, glintLoss(s, s.NoV));
+  vec4 bias = textureLod(glintReflectances, vec2(x + 0.25, y), 0.0);
+  return GlintBounces(scale.rgb, bias.rgb, scale.w, glintLoss(s, s.V, s.NoV, bias.w), bias.w);
 }
 
 // What is left of light after two and more bounces off facets of that average reflectance: Kulla and Conty 2017.
@@ -65,6 +80,6 @@ vec3 glintBounceTint(Shading s, GlintBounces b) {
 // Kulla and Conty 2017: (1 - E(l)) (1 - E(v)) / (pi (1 - E_avg)), tinted; the same when light and view change places.
 vec3 glintFurtherBounces(Shading s, GlintBounces b) {
   if (b.meanLoss < 1e-7) return vec3(0.0);
-  return glintBounceTint(s, b) * (glintLoss(s, s.NoL) * b.view / (kPi * b.meanLoss));
+  return glintBounceTint(s, b) * (glintLoss(s, s.L, s.NoL, b.aspect) * b.view / (kPi * b.meanLoss));
 }
 #endif

@@ -5,7 +5,9 @@
 #pragma glint model
 layout(local_size_x = 64) in;
 
-struct Query { vec4 values, slots, F0, diffuse; };  // values: roughness, NoV, 1 under a light and 0 under an environment
+// values: roughness, NoV, 1 under a light and 0 under an environment, azimuth against the tangent; F0.w: how much wider
+// the lobe is along the bitangent.
+struct Query { vec4 values, slots, F0, diffuse; };
 // f NoL for the query's F0 and for 0, for facets that reflect all, and of its diffuse; integrals of D in w; scattered over
 // all directions.
 struct Sums { vec4 specular, specularBlack, white, diffuse, scattered; };
@@ -25,6 +27,18 @@ void colors(inout Shading s, vec3 F0, vec3 diffuse) {
   s.diffuseColor = diffuse;
 }
 
+// cos and sin of a node's azimuth against the view's, and its weight: the circle of the nodes is stretched as the lobe is,
+// so that they are as dense for every lobe.
+vec3 aroundAt(vec4 node, mat2 stretch) {
+#ifdef MODEL_TANGENT
+  vec2 to = stretch * node.xy;
+  float length2 = dot(to, to);
+  return vec3(to * inversesqrt(length2), node.z * determinant(stretch) / length2);
+#else
+  return node.xyz;
+#endif
+}
+
 void main() {
   int index = int(gl_GlobalInvocationID.x);
   if (index >= count) return;
@@ -38,6 +52,15 @@ void main() {
   setView(s, vec3(0.0, 0.0, 1.0), V);
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
+  mat2 stretch = mat2(1.0);
+#ifdef MODEL_TANGENT
+  turnTangent(s, -query.values.w);
+  // From the nodes to the lobe's own circle, of which what was across the view's plane stays so, stretched along the
+  // bitangent, and back to the view's plane.
+  float cosView = s.T.x, sinView = -s.T.y, aspect = query.F0.w;
+  vec2 across = normalize(vec2(-sinView, cosView / aspect));
+  stretch = mat2(cosView, -sinView, sinView, cosView) * mat2(1.0, 0.0, 0.0, aspect) * mat2(across.y, -across.x, across.x, across.y);
+#endif
   s.baseColor = vec3(1.0);
   s.specular = 0.5;
   s.metallic = 1.0;
@@ -49,7 +72,7 @@ void main() {
 
   Sums sums = Sums(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int j = 0; j < around.length(); ++j) {
-    vec4 azimuth = around[j];
+    vec3 azimuth = aroundAt(around[j], stretch);
     // The half vectors whose light is above the horizon end where cos(2 theta - delta) = 0: nodes over just these meet
     // no edge.
     float delta = atan(V.x * azimuth.x, NoV);
@@ -74,17 +97,26 @@ void main() {
     sums.specularBlack.rgb += modelSingleBounce(s, p) * weight;
   }
 #ifdef COMPENSATE
-  // The same all around, and of smooth surfaces all at the horizon: nodes of its own.
+  // Of smooth surfaces all at the horizon: nodes of its own. The same all around where nothing reads the tangent.
   float decades = log(1.0 + 1e4), grazing = 1e-4 * exp(decades * node.x), NoL = grazing - 1e-4;
-  setLight(s, vec3(sqrt((1.0 - NoL) * (1.0 + NoL)), 0.0, NoL));
-  colors(s, query.F0.rgb, vec3(1.0));
-  sums.specular.rgb += glintFurtherBounces(s, p.glintBounces) * (NoL * grazing * decades);
-  colors(s, vec3(0.0), vec3(1.0));
-  sums.specularBlack.rgb += glintFurtherBounces(s, p.glintBounces) * (NoL * grazing * decades);
+#ifdef MODEL_TANGENT
+  for (int j = 0; j < around.length(); ++j) {
+    vec3 azimuth = around[j].xyz;
+#else
+  {
+    vec3 azimuth = vec3(1.0, 0.0, 1.0);
+#endif
+    float weight = azimuth.z * NoL * grazing * decades;
+    setLight(s, vec3(sqrt((1.0 - NoL) * (1.0 + NoL)) * azimuth.xy, NoL));
+    colors(s, query.F0.rgb, vec3(1.0));
+    sums.specular.rgb += glintFurtherBounces(s, p.glintBounces) * weight;
+    colors(s, vec3(0.0), vec3(1.0));
+    sums.specularBlack.rgb += glintFurtherBounces(s, p.glintBounces) * weight;
+  }
 #endif
 #ifndef SPECULAR_ONLY
   for (int j = 0; j < around.length(); ++j) {
-    vec4 azimuth = around[j];
+    vec3 azimuth = aroundAt(around[j], stretch);
     vec3 H = vec3(node.y * azimuth.x, node.y * azimuth.y, node.z);
     float VoH = dot(V, H);
     setLight(s, 2.0 * VoH * H - V);
