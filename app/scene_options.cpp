@@ -62,6 +62,15 @@ Result<Tonemap> parseTonemap(const std::string& text) {
   return static_cast<Tonemap>(found - names.begin());
 }
 
+Result<AreaLights> parseAreaLights(const std::string& text) {
+  std::vector<std::string> names;
+  for (const AreaLightsInfo& info : areaLightMethods()) {
+    if (text == info.id) return info.method;
+    names.push_back(info.id);
+  }
+  return error("--area-lights", fmt::format("unknown method '{}'", text), suggestion(text, names));
+}
+
 std::vector<std::string> viewNames() {
   std::vector<std::string> names;
   for (const ViewMode& mode : viewModes()) names.push_back(mode.id);
@@ -73,6 +82,18 @@ Result<std::string> parseView(const std::string& text) {
   const std::string near = nearest(text, viewNames());
   return error("--view", fmt::format("unknown view '{}'", text),
                (near.empty() ? "" : fmt::format("did you mean '{}'? ", near)) + fmt::format("There are {}", fmt::join(viewNames(), ", ")));
+}
+
+}  // namespace
+
+namespace {
+
+std::string lightHelp() {
+  std::vector<std::string> kinds;
+  for (const LightKindInfo& info : lightKinds()) kinds.push_back(fmt::format("{}:{}", info.id, info.example));
+  return fmt::format("{} (repeatable). dir: towards a directional light, the way a spot or rectangle shines (or to=, the point it shines at); "
+                     "cd=, lumens= or nits= for what has a surface; color=r/g/b; size: the radius of the source; radius=M (10): its falloff is "
+                     "(1 - (d/radius)^4)^2 / (d^2 + constant), 0 from there on; constant=1", fmt::join(kinds, ", "));
 }
 
 }  // namespace
@@ -98,7 +119,8 @@ std::vector<Option> sceneOptionTable() {
       {"--env", "FILE or NAME", "a .hdr or .exr file, studio (the default), sky, furnace or none"},
       {"--env-rotation", "DEG", "turns the environment about +Y"},
       {"--env-intensity", "X", "multiplies the environment"},
-      {"--light", "KIND:K=V,..", "directional:dir=x/y/z,lux=X or point:pos=x/y/z,lumens=X,radius=M (10); cd=X, color=r/g/b (repeatable). A point light's falloff is (1 - (d/radius)^4)^2 / (d^2 + 1), 0 from its radius on", true},
+      {"--light", "KIND:K=V,..", lightHelp(), true},
+      {"--area-lights", "NAME", "how lights with a surface are drawn: notes (factor 3), unreal (factor 2, the default), specular-d or plain"},
       {"--camera", "K=V,..", "eye=x/y/z, target=x/y/z, fov=DEG or ortho=HEIGHT"},
       {"--background", "WHAT", "env, blur, none or a colour (r/g/b linear, #rrggbb)"},
       {"--size", "WxH", fmt::format("of the picture, up to {0}x{0}", kLargestPictureSide)},
@@ -111,57 +133,101 @@ std::vector<Option> sceneOptionTable() {
   };
 }
 
+namespace {
+
+// What --light takes beside the properties of a kind (renderer/light.h).
+std::vector<std::string> lightOptions(const LightKindInfo& info) {
+  std::vector<std::string> known;
+  for (const LightProperty& p : info.properties) known.push_back(p.option);
+  if (info.kind != LightKind::Directional) known.push_back("lumens");
+  if (info.kind == LightKind::Sphere || info.kind == LightKind::Tube || info.kind == LightKind::Rectangle) known.push_back("nits");
+  if (info.kind == LightKind::Tube) known.push_back("from");
+  if (info.kind != LightKind::Directional && info.kind != LightKind::Point && info.kind != LightKind::Sphere) known.push_back("to");
+  return known;
+}
+
+void readLightProperty(const LightProperty& p, const std::string& value, const std::string& place, Light& light, Diagnostics& problems) {
+  if (p.unit == LightProperty::Unit::Color) {
+    keep(problems, parseColor(value, place), light.*p.vector);
+  } else if (p.vector) {
+    glm::vec3& vector = light.*p.vector;
+    if (!keep(problems, parseVector(value, place), vector) || p.unit != LightProperty::Unit::Direction) return;
+    const float length = glm::length(vector);
+    if (length < 1e-6f) problems.push_back(error(place, fmt::format("{} has no length", p.option), "give a direction, for example 1/1/1"));
+    else vector /= length;
+  } else if (p.unit == LightProperty::Unit::Degrees) {
+    float degrees = 0;
+    if (keep(problems, parseNumber(value, std::round(glm::degrees(p.least)), std::round(glm::degrees(p.most)), place), degrees))
+      light.*p.number = glm::radians(degrees);
+  } else {
+    keep(problems, parseNumber(value, p.least, p.most, place), light.*p.number);
+  }
+}
+
+}  // namespace
+
 Result<Light> parseLight(const std::string& text) {
   const std::string place = "--light";
   const size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (kind == "spot" || kind == "sphere" || kind == "tube")
-    return error(place, fmt::format("'{}' lights are not in this version", kind), "use directional or point");
-  if (kind != "directional" && kind != "point")
-    return error(place, fmt::format("unknown kind of light '{}'", kind), suggestion(kind, {"directional", "point"}));
-  const bool point = kind == "point";
-  const std::vector<std::string> known = point ? std::vector<std::string>{"pos", "lumens", "cd", "radius", "color"}
-                                               : std::vector<std::string>{"dir", "lux", "color"};
-  if (rest.empty())
-    return error(place, fmt::format("a {} light needs its {}", kind, point ? "pos" : "dir"),
-                 point ? "for example point:pos=0/2/2,lumens=800" : "for example directional:dir=1/1/1,lux=3.14");
-  const auto keys = parseKeys(rest, place, known);
-  if (!keys) return keys.diagnostics();
-  Light light;
-  light.kind = point ? LightKind::Point : LightKind::Directional;
-  Diagnostics problems;
-  bool placed = false, lumens = false, candela = false;
-  for (const auto& [key, value] : *keys) {
-    if (key == "dir") {
-      placed = true;
-      if (keep(problems, parseVector(value, place), light.direction)) {
-        const float length = glm::length(light.direction);
-        if (length < 1e-6f) problems.push_back(error(place, "dir has no length", "give the direction towards the light"));
-        else light.direction /= length;
-      }
-    }
-    if (key == "pos") {
-      placed = true;
-      keep(problems, parseVector(value, place), light.position);
-    }
-    if (key == "color") keep(problems, parseColor(value, place), light.color);
-    if (key == "lux") keep(problems, parseNumber(value, 0, kLargest, place), light.lux);
-    if (key == "radius") keep(problems, parseNumber(value, 1e-3f, kLargest, place), light.radius);
-    if (key == "cd") {
-      candela = true;
-      keep(problems, parseNumber(value, 0, kLargest, place), light.candela);
-    }
-    if (key == "lumens") {
-      lumens = true;
-      float amount = 0;
-      if (keep(problems, parseNumber(value, 0, kLargest, place), amount)) light.candela = amount / (4 * std::numbers::pi_v<float>);
-    }
+  const LightKindInfo* info = findLightKind(kind);
+  if (!info) {
+    std::vector<std::string> kinds;
+    for (const LightKindInfo& k : lightKinds()) kinds.push_back(k.id);
+    return error(place, fmt::format("unknown kind of light '{}'", kind), suggestion(kind, kinds));
   }
-  if (lumens && candela) problems.push_back(error(place, "lumens and cd say the same thing", "give one of them"));
-  if (!placed)
-    problems.push_back(error(place, fmt::format("a {} light needs its {}", kind, point ? "pos" : "dir"),
-                             point ? "for example pos=0/2/2" : "for example dir=1/1/1"));
+  const std::string example = fmt::format("for example {}:{}", kind, info->example);
+  const char* placeKey = info->kind == LightKind::Directional ? "dir" : info->kind == LightKind::Tube ? "from and to, or its pos" : "pos";
+  if (rest.empty()) return error(place, fmt::format("a {} light needs its {}", kind, placeKey), example);
+  const auto keys = parseKeys(rest, place, lightOptions(*info));
+  if (!keys) return keys.diagnostics();
+
+  Light light;
+  light.kind = info->kind;
+  if (light.kind == LightKind::Tube) light.axis = {1, 0, 0};
+  Diagnostics problems;
+  std::vector<std::string> powers;
+  std::optional<glm::vec3> from, to;
+  bool placed = false, turned = false;
+  float amount = 0;
+  for (const auto& [key, value] : *keys) {
+    if (key == "lumens" || key == "nits") keep(problems, parseNumber(value, 0, kLargest, place), amount);
+    if (key == "lumens" || key == "nits" || key == "cd") powers.push_back(key);
+    if (key == "from") keep(problems, parseVector(value, place), from.emplace());
+    if (key == "to") keep(problems, parseVector(value, place), to.emplace());
+    placed |= key == "pos" || (key == "dir" && light.kind == LightKind::Directional);
+    turned |= key == "dir" || key == "length";
+    for (const LightProperty& p : info->properties)
+      if (key == p.option) readLightProperty(p, value, place, light, problems);
+  }
+  if (powers.size() > 1) problems.push_back(error(place, fmt::format("{} say the same thing", fmt::join(powers, " and ")), "give one of them"));
+  if (light.kind == LightKind::Tube && (from || to)) {
+    if (!from || !to || placed || turned) problems.push_back(error(place, "a tube goes from one end to the other", "give from and to alone, or pos, dir and length"));
+    if (from && to) {
+      light.position = 0.5f * (*from + *to);
+      light.length = glm::length(*to - *from);
+      if (light.length > 1e-6f) light.axis = (*to - *from) / light.length;
+    }
+    placed = true;
+  } else if (to) {
+    const float length = glm::length(*to - light.position);
+    if (turned) problems.push_back(error(place, "dir and to say the same thing", "give one of them"));
+    else if (length < 1e-6f) problems.push_back(error(place, "to is where the light is", "give the point that it shines at"));
+    else light.axis = (*to - light.position) / length;
+  }
+  if (!placed) problems.push_back(error(place, fmt::format("a {} light needs its {}", kind, placeKey), example));
+  if (light.kind == LightKind::Spot && light.innerAngle > light.outerAngle) {
+    const bool given = std::any_of(keys->begin(), keys->end(), [](const KeyValue& k) { return k.key == "inner"; });
+    if (given) problems.push_back(error(place, "inner is larger than outer", "the light is full up to inner and ends at outer"));
+    light.innerAngle = std::min(light.innerAngle, light.outerAngle);
+  }
+  if (!powers.empty() && powers.back() == "lumens") light.candela = amount / std::max(lumensPerCandela(light), 1e-6f);
+  if (!powers.empty() && powers.back() == "nits") {
+    const float nits = nitsPerCandela(light);
+    if (nits > 0) light.candela = amount / nits;
+    else problems.push_back(error(place, "a light without a surface has no luminance", "give lumens or cd, or a size"));
+  }
   if (!problems.empty()) return problems;
   return light;
 }
@@ -240,6 +306,7 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   if (given("size")) keep(problems, parseSize(arguments.get("size"), "--size"), options.size);
   if (given("view")) keep(problems, parseView(arguments.get("view")), options.render.view);
   if (given("exposure")) keep(problems, parseNumber(arguments.get("exposure"), -64, 64, "--exposure"), options.render.exposure);
+  if (given("area-lights")) keep(problems, parseAreaLights(arguments.get("area-lights")), options.render.areaLights);
   if (given("tonemap")) keep(problems, parseTonemap(arguments.get("tonemap")), options.render.tonemap);
   options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);

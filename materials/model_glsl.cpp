@@ -103,7 +103,7 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
   text += fmt::format("void modelPrepare(Shading s, inout Parameters p) {{\n{}{}#ifdef COMPENSATE\n"
                       "  p.glintBounces = glintBouncesTowards(s);\n#endif\n}}\n",
                       bounded ? "  glintTurns = 0;\n" : "", model.definesPrepare ? "  prepare(s, p);\n" : "");
-  text += fmt::format("const bool modelHasD = {};\n", model.hasD());
+  text += fmt::format("const bool modelHasD = {}, modelHasParts = {};\n", model.hasD(), model.hasD() && model.hasV() && model.hasF() && !model.definesCoat);
   const auto function = [&](std::string_view type, std::string_view name, std::string body) {
     if (const std::string_view value = body; bounded && value.starts_with("return "))
       body = fmt::format("glintTurns = 0; {0} x = {1} return glintTurns > {2} ? {0}(uintBitsToFloat(0x7fc00000u)) : x;", type, value.substr(7), kMostTurns);

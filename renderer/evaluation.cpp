@@ -44,7 +44,7 @@ const std::vector<Formula>& formulas() {
       {"EnvBRDFApprox_A", {"r", "NoV"}, "vec4(envBrdfApprox(a.x, a.y).x)"},
       {"EnvBRDFApprox_B", {"r", "NoV"}, "vec4(envBrdfApprox(a.x, a.y).y)"},
       {"EnvBRDFApproxNonmetal", {"r", "NoV"}, "vec4(envBrdfApproxNonmetal(a.x, a.y))"},
-      {"falloff_eq9", {"distance", "lightRadius"}, "vec4(windowedFalloff(a.x * a.x, 1.0 / (a.y * a.y)))"},
+      {"falloff_eq9", {"distance", "lightRadius"}, "vec4(windowedFalloff(a.x * a.x, 1.0 / (a.y * a.y), 1.0))"},
       {"alphaPrime_eq10", {"r", "sourceRadius", "distance"}, "vec4(widenedAlpha(alphaFromRoughness(a.x), a.y, a.z, 3.0))"},
       {"SphereNormalization_eq14", {"r", "sourceRadius", "distance"},
        "vec4(sphereNormalization(alphaFromRoughness(a.x), widenedAlpha(alphaFromRoughness(a.x), a.y, a.z, 3.0)))"},

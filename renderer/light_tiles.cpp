@@ -9,13 +9,14 @@ namespace {
 
 // Lights as arrays, so that the tests below run several lights an instruction.
 struct LightArrays {
-  std::vector<float> x, y, z, radius;
+  std::vector<float> x, y, z, radius, extent;
   explicit LightArrays(std::span<const Light> lights) {
     for (const Light& light : lights) {
       x.push_back(light.position.x);
       y.push_back(light.position.y);
       z.push_back(light.position.z);
       radius.push_back(light.radius);
+      extent.push_back(glint::extent(light));
     }
   }
 };
@@ -32,15 +33,15 @@ void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vec
     const float distance2 = dx * dx + dy * dy + dz * dz;
     const float reach = lights.radius[i] + c.radius;
     const float along = dx * c.axis.x + dy * c.axis.y + dz * c.axis.z;
-    // For every normal of the cone and point of the sphere, the light's height above the plane there is at most
-    // cosine along + sine distance + radius.
-    const float bound = -(c.coneCosine * along + c.radius);
+    // For every normal of the cone and point of the sphere, the height of the light's points above the plane there is at
+    // most cosine (along + extent) + sine (distance + extent) + radius.
+    const float bound = -(c.coneCosine * along + c.radius + (c.coneCosine + sine) * lights.extent[i]);
     const bool behind = cone & (bound > 0) & (bound * bound > sine * sine * distance2);
     reached[i] = (distance2 < reach * reach) & !behind;
   }
 }
 
-LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
+LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span<const Light> lights, size_t pointCount, glm::ivec4 rectangle) {
   const int columns = (rectangle.z + side - 1) / side, rows = (rectangle.w + side - 1) / side;
   const size_t words = (lights.size() + 63) / 64;
   std::vector<uint64_t> masks(static_cast<size_t>(columns * rows) * words);
@@ -73,26 +74,29 @@ LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span
     for (int x = 0; x < columns; ++x) {
       const size_t tile = static_cast<size_t>(y * columns + x);
       if (!touched[tile]) continue;
-      const int32_t first = static_cast<int32_t>(result.list.size());
+      int32_t points = 0, placed = 0;
       for (size_t w = 0; w < words; ++w)
-        for (uint64_t bits = masks[tile * words + w]; bits; bits &= bits - 1)
-          result.list.push_back(static_cast<uint32_t>(w * 64 + static_cast<size_t>(std::countr_zero(bits))));
+        for (uint64_t bits = masks[tile * words + w]; bits; bits &= bits - 1) {
+          const size_t light = w * 64 + static_cast<size_t>(std::countr_zero(bits));
+          result.list.push_back(static_cast<uint32_t>(light));
+          ++(light < pointCount ? points : placed);
+        }
       result.tiles.push_back({rectangle.x + x * side, rectangle.y + y * side,
                               rectangle.x + std::min((x + 1) * side, rectangle.z),
-                              rectangle.y + std::min((y + 1) * side, rectangle.w), first,
-                              static_cast<int32_t>(result.list.size()) - first});
+                              rectangle.y + std::min((y + 1) * side, rectangle.w), static_cast<int32_t>(result.texels), points, placed});
+      result.texels += static_cast<size_t>(points * kPointTexels + placed * kPlacedTexels);
     }
   return result;
 }
 
 }  // namespace
 
-LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
+LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, size_t points, glm::ivec4 rectangle) {
   // Small tiles pay when there are many lights to keep apart (measured on software GL: 64 pixels wins for 128
   // lights, 32 for 1024). Larger ones bound the memory where most lights reach everything.
   for (int side = lights.size() > 256 ? 32 : 64;; side *= 2) {
-    LightTiles tiles = tilesOf(side, clusters, lights, rectangle);
-    if (tiles.list.size() <= kLongestLightList || side >= std::max(rectangle.z, rectangle.w)) return tiles;
+    LightTiles tiles = tilesOf(side, clusters, lights, points, rectangle);
+    if (tiles.texels <= kMostLightTexels || side >= std::max(rectangle.z, rectangle.w)) return tiles;
   }
 }
 

@@ -1,4 +1,4 @@
-// Which point lights reach which part of a view: lists for tiles of pixels, made on the CPU from the clusters of the
+// Which lights with a place reach which part of a view: lists for tiles of pixels, made on the CPU from the clusters of the
 // geometry that is visible, so that a tile lists the lights that reach its surfaces and no others.
 #pragma once
 
@@ -22,17 +22,22 @@ struct VisibleCluster {
 
 struct Tile {
   int32_t x0, y0, x1, y1;    // pixels of the target
-  int32_t first, count;      // in LightTiles::list
+  int32_t first;             // texel of its first light on the device
+  int32_t points, placed;    // point lights, then those of other kinds
 };
 
 struct LightTiles {
   std::vector<Tile> tiles;       // only those with geometry
-  std::vector<uint32_t> list;    // indices into the lights
+  std::vector<uint32_t> list;    // indices into the lights, tile after tile
+  size_t texels = 0;             // of 16 bytes, that the lists take on the device
 };
 
-// `rectangle` is x, y, width, height in pixels. Only LightKind::Point lights are read; indices count those alone.
-// The list stays below kLongestLightList entries, or below the number of lights where that is larger.
-inline constexpr size_t kLongestLightList = 128 * 1024;   // 4 MiB on the device
-LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> pointLights, glm::ivec4 rectangle);
+// On the device: PointBlock and PlacedBlock of renderer/prepared_view.h.
+inline constexpr int32_t kPointTexels = 2, kPlacedTexels = 5;
+
+// `rectangle` is x, y, width, height in pixels. Of the lights the first `points` are point lights, the others have a place
+// and another shape. The lists stay below kMostLightTexels, or below what all lights take once where that is more.
+inline constexpr size_t kMostLightTexels = 256 * 1024;   // 4 MiB
+LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> lights, size_t points, glm::ivec4 rectangle);
 
 }  // namespace glint

@@ -143,6 +143,31 @@ float longestAxis(const glm::mat4& m) {
   return std::sqrt(sum);
 }
 
+// Below this a source is a point, metres: no eye and no float tells the difference.
+constexpr float kSmallest = 1e-4f;
+
+// What a light is drawn as: one without a size is a point, a tube without a length a sphere.
+LightKind shapeOf(const Light& light) {
+  if (light.kind == LightKind::Tube && light.length < kSmallest) return light.size < kSmallest ? LightKind::Point : LightKind::Sphere;
+  if (light.kind == LightKind::Sphere && light.size < kSmallest) return LightKind::Point;
+  return light.kind;
+}
+
+PlacedBlock placedBlock(const Light& light, LightKind kind, const PointBlock& point) {
+  glm::vec3 right, up;
+  acrossAxis(light, right, up);
+  PlacedBlock block{point.position, point.intensity, glm::vec4(light.axis, static_cast<float>(kind)), glm::vec4(right, 0), {}};
+  if (kind == LightKind::Sphere) block.extent = {light.size, 0, 0, 0};
+  if (kind == LightKind::Tube) block.extent = {std::max(light.size, kSmallest), 0.5f * light.length, 0, 0};
+  if (kind == LightKind::Rectangle) block.extent = {0.5f * std::max(light.width, kSmallest), 0.5f * std::max(light.height, kSmallest), 0, 0};
+  if (kind == LightKind::Spot) {
+    const float outer = std::cos(light.outerAngle), inner = std::cos(std::min(light.innerAngle, light.outerAngle));
+    const float scale = 1 / std::max(inner - outer, 1e-3f);
+    block.extent = {scale, -outer * scale, 0, 0};
+  }
+  return block;
+}
+
 }  // namespace
 
 PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vector<int>& groupOfMaterial, size_t groups,
@@ -181,7 +206,7 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   block.exposureScale = exposureScale;
   block.environmentLevels = static_cast<float>(environmentLevels);
 
-  std::vector<Light> points;
+  std::vector<Light> points, placed;
   for (const Light& light : scene.lights) {
     if (light.kind == LightKind::Directional) {
       if (prepared.directional.size() == kMostDirectionalLights) {
@@ -190,10 +215,20 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
       }
       prepared.directional.push_back({glm::vec4(glm::normalize(light.direction), 0), glm::vec4(light.color * light.lux, 0)});
     } else if (light.radius > 0) {
-      points.push_back(light);
-      prepared.points.push_back({glm::vec4(light.position, 1 / (light.radius * light.radius)), glm::vec4(light.color * light.candela, 0)});
+      const LightKind kind = shapeOf(light);
+      const PointBlock point{glm::vec4(light.position, 1 / (light.radius * light.radius)), glm::vec4(light.color * light.candela, light.constant)};
+      if (kind == LightKind::Point) {
+        points.push_back(light);
+        prepared.points.push_back(point);
+      } else {
+        placed.push_back(light);
+        prepared.placed.push_back(placedBlock(light, kind, point));
+      }
     }
   }
+  const size_t pointCount = points.size();
+  std::vector<Light>& reaching = points;
+  reaching.insert(reaching.end(), placed.begin(), placed.end());
   block.directionalCount = static_cast<int32_t>(prepared.directional.size());
 
   std::vector<std::vector<VisibleCluster>> visible(groups);
@@ -240,7 +275,7 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
         out.offsets.push_back(reinterpret_cast<const void*>(first));
       }
       prepared.triangles += static_cast<int>(cluster.indexCount / 3);
-      if (!points.empty()) visible[group].push_back(v);
+      if (!reaching.empty()) visible[group].push_back(v);
     }
     if (out.counts.empty()) continue;
     glm::ivec4& cover = covered[group];
@@ -251,10 +286,10 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   }
   for (size_t g = 0; g < groups; ++g) {
     const glm::ivec4 r = covered[g];
-    if (!points.empty())
-      prepared.tiles.push_back(buildLightTiles(visible[g], points, view.rectangle));
+    if (!reaching.empty())
+      prepared.tiles.push_back(buildLightTiles(visible[g], reaching, pointCount, view.rectangle));
     else if (r.z > r.x)
-      prepared.tiles.push_back({{{r.x, r.y, r.z, r.w, 0, 0}}, {}});
+      prepared.tiles.push_back({{{r.x, r.y, r.z, r.w, 0, 0, 0}}, {}, 0});
     else
       prepared.tiles.emplace_back();
   }

@@ -29,8 +29,17 @@ struct DirectionalBlock {
 inline constexpr size_t kMostDirectionalLights = 16;
 
 struct PointBlock {
-  glm::vec4 position, intensity;   // w of position: 1 / radius^2
+  glm::vec4 position, intensity;   // w: 1 / radius^2, and the falloff's constant
 };
+static_assert(sizeof(PointBlock) == kPointTexels * 16);
+
+// PlacedLight of shaders/common/lights.glsl.
+struct PlacedBlock {
+  glm::vec4 position, intensity;   // as of a point light
+  glm::vec4 axis, right;           // w: the kind
+  glm::vec4 extent;
+};
+static_assert(sizeof(PlacedBlock) == kPlacedTexels * 16);
 
 // The visible part of one instance, as ranges of its mesh's indices.
 struct PreparedInstance {
@@ -49,8 +58,9 @@ struct PreparedView {
   std::vector<PreparedInstance> instances;
   std::vector<DirectionalBlock> directional;
   std::vector<PointBlock> points;
-  // By light group: where its surfaces may be, with the point lights that reach them. Without point lights one
-  // rectangle each.
+  std::vector<PlacedBlock> placed;
+  // By light group: where its surfaces may be, with the lights that reach them: indices into the points, and then the
+  // placed. Without such lights one rectangle each.
   std::vector<LightTiles> tiles;
   int triangles = 0;
   bool tooManyDirectional = false;

@@ -79,17 +79,24 @@ struct Renderer::State {
     r.directional = uploads.append(std::as_bytes(std::span(directional)));
     for (size_t g = 0; g < r.groups.size(); ++g) {
       const LightTiles& tiles = r.view.tiles[g];
-      std::vector<PointBlock> lights;
-      lights.reserve(tiles.list.size());
-      for (uint32_t light : tiles.list) lights.push_back(r.view.points[light]);
-      r.groups[g].tileLights = uploads.append(std::as_bytes(std::span(lights)));
-      r.groups[g].tileLightCount = lights.size();
+      std::vector<std::byte> lights;
+      lights.reserve(tiles.texels * 16);
+      const auto append = [&](const auto& block) {
+        const auto bytes = std::as_bytes(std::span(&block, 1));
+        lights.insert(lights.end(), bytes.begin(), bytes.end());
+      };
+      const size_t points = r.view.points.size();
+      for (uint32_t light : tiles.list)
+        if (light < points) append(r.view.points[light]);
+        else append(r.view.placed[light - points]);
+      r.groups[g].tileLights = uploads.append(lights);
+      r.groups[g].tileLightTexels = tiles.texels;
       r.groups[g].tiles = uploads.append(std::as_bytes(std::span(tiles.tiles)));
       r.groups[g].tileCount = tiles.tiles.size();
     }
     statistics.triangles += r.view.triangles;
     statistics.lightGroups += static_cast<int>(r.groups.size());
-    statistics.lights += static_cast<int>(r.view.directional.size() + r.view.points.size());
+    statistics.lights += static_cast<int>(r.view.directional.size() + r.view.points.size() + r.view.placed.size());
     return r;
   }
 
@@ -167,7 +174,7 @@ struct Renderer::State {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glEnable(GL_FRAMEBUFFER_SRGB);
-    frame.rectangles.draw(program, frame.size(), Tile{0, 0, frame.size().x, frame.size().y, 0, 0});
+    frame.rectangles.draw(program, frame.size(), Tile{0, 0, frame.size().x, frame.size().y, 0, 0, 0});
   }
 
   Frame frame;

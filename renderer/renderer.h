@@ -16,6 +16,17 @@ namespace glint {
 class EnvironmentLighting;
 
 enum class Tonemap { None, Aces, AgX, PbrNeutral };
+// How lights with a surface are drawn (shaders/common/lights.glsl): by representative points whose lobe is made weaker with
+// the notes' factor 3 (Karis 2013, eq. 10 and 14) or Unreal's 2, with D widened instead ("Specular D modification"), or as
+// it is.
+enum class AreaLights { Notes = 1, Unreal, SpecularD, Plain };
+struct AreaLightsInfo {
+  AreaLights method;
+  const char* id;        // "notes"
+  const char* title;
+  const char* doc;
+};
+std::span<const AreaLightsInfo> areaLightMethods();
 enum class Background { Environment, Blur, None, Color };
 
 // A picture's view of the scene: the lit one, the white furnace, or one of the buffers.
@@ -43,6 +54,7 @@ struct RenderSettings {
   glm::vec3 backgroundColor{0};                // linear
   // What bounces among facets more than once is given back (renderer/model_tables.h), also by models that do not ask for it.
   bool compensate = false;
+  AreaLights areaLights = AreaLights::Unreal;
   int samples = 1;                             // jittered frames averaged, >= 1
   // What an environment does to a model may be coarse where it would have to be made first: for a picture now. See
   // Renderer::refineTable().

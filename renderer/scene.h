@@ -14,6 +14,7 @@
 #include "materials/compiled_material.h"
 #include "materials/model.h"
 #include "renderer/image.h"
+#include "renderer/light.h"
 #include "renderer/mesh.h"
 
 namespace glint {
@@ -35,19 +36,6 @@ struct Instance {
   MeshPtr mesh;
   glm::mat4 worldFromModel{1};
   int material = 0;                    // index into Scene::materials
-};
-
-enum class LightKind { Directional, Point };
-
-// Units of product.md 1. Colours are linear Rec.709 factors on the photometric amount.
-struct Light {
-  LightKind kind = LightKind::Directional;
-  glm::vec3 color{1};
-  glm::vec3 direction{0, 1, 0};        // towards the light, unit: directional
-  float lux = 3.14159265f;             // directional
-  glm::vec3 position{0};               // metres: point
-  float candela = 1;                   // point; lumens = 4 pi candela
-  float radius = 10;                   // metres where a point light's window reaches zero (Karis 2013 eq. 9)
 };
 
 // An equirectangular environment in nits, oriented as product.md 1 says.

@@ -23,6 +23,15 @@ std::span<const ViewMode> viewModes() {
   return kModes;
 }
 
+std::span<const AreaLightsInfo> areaLightMethods() {
+  static constexpr AreaLightsInfo kMethods[] = {
+      {AreaLights::Notes, "notes", "Notes", "The nearest point of the light to the reflected ray, its lobe weaker by the notes' factor 3 (Karis 2013, eq. 10 and 14)"},
+      {AreaLights::Unreal, "unreal", "Unreal", "The same with the factor 2 that Unreal ships, which is right for smooth surfaces"},
+      {AreaLights::SpecularD, "specular-d", "Specular D", "The middle of the light, with the distribution alone made wider"},
+      {AreaLights::Plain, "plain", "Not normalized", "The nearest point as it is: brighter with every size"}};
+  return kMethods;
+}
+
 const ViewMode* findViewMode(const std::string& id) {
   for (const ViewMode& mode : viewModes())
     if (id == mode.id) return &mode;

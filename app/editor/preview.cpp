@@ -14,15 +14,6 @@ constexpr std::pair<Background, std::string_view> kBackgrounds[] = {{Background:
                                                                     {Background::None, "none"},
                                                                     {Background::Color, "color"}};
 
-bool sameLights(const std::vector<Light>& a, const std::vector<Light>& b) {
-  const auto key = [](const Light& l) {
-    return std::tuple(l.kind, l.color.r, l.color.g, l.color.b, l.direction.x, l.direction.y, l.direction.z, l.lux,
-                      l.position.x, l.position.y, l.position.z, l.candela, l.radius);
-  };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](const Light& x, const Light& y) { return key(x) == key(y); });
-}
-
 Json vec(glm::vec3 v) {
   Json json = Json::array();
   for (int i = 0; i < 3; ++i) json.push(Json::of(v[i]));
@@ -108,14 +99,39 @@ constexpr std::pair<Preview::Subject, std::string_view> kSubjects[] = {{Preview:
                                                                        {Preview::Subject::Mesh, "mesh"}};
 constexpr std::pair<Preview::Columns, std::string_view> kColumns[] = {{Preview::Columns::Materials, "materials"},
                                                                       {Preview::Columns::Sweep, "sweep"}};
-constexpr std::pair<LightKind, std::string_view> kLights[] = {{LightKind::Directional, "directional"},
-                                                              {LightKind::Point, "point"}};
-
 template <class E, size_t N>
 std::string_view nameIn(E value, const std::pair<E, std::string_view> (&names)[N]) {
   for (const auto& [e, text] : names)
     if (e == value) return text;
   return "?";
+}
+
+std::optional<Light> readLight(const Json& json, const std::string& place, Diagnostics& warnings) {
+  Light light;
+  std::string kind = infoOf(light.kind).id;
+  const Reader reader{json, place, warnings};
+  reader.read("kind", kind);
+  const LightKindInfo* info = findLightKind(kind);
+  if (!info) {
+    std::vector<std::string> known;
+    for (const LightKindInfo& k : lightKinds()) known.push_back(k.id);
+    warnings.push_back(warning(place + ":" + std::to_string(json.line), "unknown kind of light '" + kind + "'", suggestion(kind, known)));
+    return std::nullopt;
+  }
+  light.kind = info->kind;
+  for (const LightProperty& property : info->properties) {
+    if (property.number) {
+      reader.read(property.key, light.*property.number, property.least, property.most);
+    } else {
+      glm::vec3& vector = light.*property.vector;
+      const glm::vec3 before = vector;
+      reader.read(property.key, vector);
+      if (property.unit != LightProperty::Unit::Direction) continue;
+      const float length = glm::length(vector);
+      vector = length > 1e-6f ? vector / length : before;
+    }
+  }
+  return light;
 }
 
 void readOrbit(const Json& json, const char* key, Orbit& orbit, const std::string& place, Diagnostics& warnings) {
@@ -151,7 +167,7 @@ bool Preview::sameSettings(const Preview& o) const {
                     p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
                     p.exposure, p.tonemap, p.background, p.compensate);
   };
-  return key(*this) == key(o) && backgroundColor == o.backgroundColor && sameLights(lights, o.lights);
+  return key(*this) == key(o) && backgroundColor == o.backgroundColor && lights == o.lights;
 }
 
 Json previewJson(const Preview& p) {
@@ -174,16 +190,9 @@ Json previewJson(const Preview& p) {
   Json& lights = json.set("lights", Json::array());
   for (const Light& light : p.lights) {
     Json& one = lights.push(Json::object());
-    one.set("kind", Json::of(std::string(nameIn(light.kind, kLights))));
-    one.set("color", vec(light.color));
-    if (light.kind == LightKind::Directional) {
-      one.set("direction", vec(light.direction));
-      one.set("lux", Json::of(light.lux));
-    } else {
-      one.set("position", vec(light.position));
-      one.set("candela", Json::of(light.candela));
-      one.set("radius", Json::of(light.radius));
-    }
+    const LightKindInfo& info = infoOf(light.kind);
+    one.set("kind", Json::of(std::string(info.id)));
+    for (const LightProperty& property : info.properties) one.set(property.key, property.vector ? vec(light.*property.vector) : Json::of(light.*property.number));
   }
   json.set("view", Json::of(p.view));
   json.set("exposure", Json::of(p.exposure));
@@ -219,18 +228,7 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   if (const Json* lights = json.find("lights"))
     for (const Json& item : lights->items) {
       if (p.lights.size() >= 1024) break;
-      Light light;
-      const Reader inner{item, place, warnings};
-      inner.read("kind", light.kind, kLights);
-      inner.read("color", light.color);
-      inner.read("direction", light.direction);
-      const float length = glm::length(light.direction);
-      light.direction = length > 1e-6f ? light.direction / length : glm::vec3(0, 1, 0);
-      inner.read("lux", light.lux, 0, 1e6f);
-      inner.read("position", light.position);
-      inner.read("candela", light.candela, 0, 1e6f);
-      inner.read("radius", light.radius, 1e-3f, 1e6f);
-      p.lights.push_back(light);
+      if (auto light = readLight(item, place, warnings)) p.lights.push_back(*light);
     }
   reader.read("view", p.view);
   if (!findViewMode(p.view)) p.view = "lit";

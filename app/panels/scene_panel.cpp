@@ -5,6 +5,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
+#include "app/panels/light_properties.h"
 #include "app/panels/panel.h"
 #include "renderer/environment.h"
 
@@ -66,52 +67,18 @@ class ScenePanel final : public Panel {
   static void lights(Editor& editor) {
     Document& document = editor.document();
     Preview preview = document.preview();
-    int remove = -1, index = 0;
+    int remove = -1, copy = -1, index = 0;
     bool changed = false;
     for (Light& light : preview.lights) {
       ImGui::PushID(index);
       ui::pushScope("light" + std::to_string(index));
-      const bool directional = light.kind == LightKind::Directional;
       ImGui::AlignTextToFramePadding();
-      ui::textDim((directional ? "Directional " : "Point ") + std::to_string(index + 1));
-      ImGui::SameLine(ImGui::GetContentRegionAvail().x - theme::px(60));
+      ui::textDim(fmt::format("{} {}", infoOf(light.kind).title, index + 1));
+      ImGui::SameLine(ImGui::GetContentRegionAvail().x - theme::px(126));
+      if (ui::button("Copy", false, theme::px(60))) copy = index;
+      ImGui::SameLine();
       if (ui::button("Remove", false, theme::px(70))) remove = index;
-      ui::beginProperty("Colour");
-      changed |= ui::color("Colour", &light.color.x, 1);
-      ui::endProperty();
-      if (directional) {
-        // As an artist thinks of a sun: how high, and from which side.
-        float height = glm::degrees(std::asin(std::clamp(light.direction.y, -1.0f, 1.0f)));
-        float side = glm::degrees(std::atan2(light.direction.x, light.direction.z));
-        ui::beginProperty("Height", "Degrees above the horizon");
-        bool turned = ui::slider("Height", height, -89.9f, 89.9f, "%.0f\u00b0");
-        ui::endProperty();
-        ui::beginProperty("Side", "Degrees about the vertical axis, from the viewer\u2019s side");
-        turned |= ui::slider("Side", side, -180, 180, "%.0f\u00b0");
-        ui::endProperty();
-        if (turned) {
-          const float h = glm::radians(height), s = glm::radians(side);
-          light.direction = {std::cos(h) * std::sin(s), std::sin(h), std::cos(h) * std::cos(s)};
-          changed = true;
-        }
-        ui::beginProperty("Illuminance", "Lux: pi makes a white surface that faces it show 1");
-        changed |= ui::drag("Illuminance", &light.lux, 1, 0.02f, 0, 1e6f, "%.2f lx");
-        ui::endProperty();
-      } else {
-        ui::beginProperty("Position", "Metres");
-        changed |= ui::drag("Position", &light.position.x, 3, 0.02f, -1e4f, 1e4f, "%.2f");
-        ui::endProperty();
-        float lumens = light.candela * 4 * 3.14159265f;
-        ui::beginProperty("Power", "Lumens, sent out evenly");
-        if (ui::drag("Power", &lumens, 1, 1, 0, 1e7f, "%.0f lm")) {
-          light.candela = lumens / (4 * 3.14159265f);
-          changed = true;
-        }
-        ui::endProperty();
-        ui::beginProperty("Range", "Metres, beyond which it has no effect");
-        changed |= ui::drag("Range", &light.radius, 1, 0.05f, 0.01f, 1e4f, "%.2f m");
-        ui::endProperty();
-      }
+      changed |= lightProperties(light);
       ImGui::Dummy({0, theme::px(3)});
       ui::popScope();
       ImGui::PopID();
@@ -119,17 +86,22 @@ class ScenePanel final : public Panel {
     }
     if (preview.lights.empty()) ui::textDim("Only the environment lights the scene.");
     std::string label = "Change light";
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (ui::button("Add directional", false, half)) {
-      preview.lights.push_back({.kind = LightKind::Directional, .direction = glm::normalize(glm::vec3(1, 1.2f, 1))});
-      changed = true;
-      label = "Add directional light";
+    if (ui::button("Add light", false, ImGui::GetContentRegionAvail().x)) ImGui::OpenPopup("add light");
+    if (ImGui::BeginPopup("add light")) {
+      for (const LightKindInfo& info : lightKinds()) {
+        if (ImGui::MenuItem(info.title)) {
+          preview.lights.push_back(newLight(info.kind));
+          changed = true;
+          label = fmt::format("Add {} light", info.id);
+        }
+        ui::mark(fmt::format("Add {}", info.id));
+      }
+      ImGui::EndPopup();
     }
-    ImGui::SameLine();
-    if (ui::button("Add point", false, half)) {
-      preview.lights.push_back({.kind = LightKind::Point, .position = {1.5f, 2, 2.5f}, .candela = 15, .radius = 20});
+    if (copy >= 0) {
+      preview.lights.push_back(preview.lights[size_t(copy)]);
       changed = true;
-      label = "Add point light";
+      label = "Copy light";
     }
     if (remove >= 0) {
       preview.lights.erase(preview.lights.begin() + remove);

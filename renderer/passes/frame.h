@@ -24,7 +24,7 @@ enum class Output {
 struct LightGroup {
   ModelSetting setting;
   size_t tileLights = 0, tiles = 0;     // offsets in the uploads
-  size_t tileLightCount = 0, tileCount = 0;
+  size_t tileLightTexels = 0, tileCount = 0;
   bool compensate = false;
   bool broken = false;                  // no version of the plugin ever compiled
   uint64_t key = 0;

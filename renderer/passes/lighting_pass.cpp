@@ -8,14 +8,14 @@ void LightLists::bind(const Frame& frame, const ReadyView& r, const LightGroup& 
   frame.targets.bindGbuffer();
   frame.uploads.bind(GL_UNIFORM_BUFFER, 0, r.viewBlock, sizeof(ViewBlock));
   frame.uploads.bind(GL_UNIFORM_BUFFER, 2, r.directional, kMostDirectionalLights * sizeof(DirectionalBlock));
-  if (r.view.points.empty()) return;
+  if (r.view.points.empty() && r.view.placed.empty()) return;
   if (!tileLights_) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
     tileLights_ = gl::Texture(id);
   }
   glTextureBufferRange(tileLights_.id(), GL_RGBA32F, frame.uploads.id(), static_cast<GLintptr>(group.tileLights),
-                       static_cast<GLsizeiptr>(std::max<size_t>(group.tileLightCount, 1) * sizeof(PointBlock)));
+                       static_cast<GLsizeiptr>(std::max<size_t>(group.tileLightTexels, 1) * 16));
   glBindTextureUnit(8, tileLights_.id());
 }
 
@@ -36,6 +36,7 @@ Diagnostics LightingPass::drawGroup(Frame& frame, LightLists& lists, const Ready
   const bool furnace = frame.isFurnace(), surrounded = furnace || r.view.scene->environment;
   std::vector<std::string> defines = frame.outputDefines();
   if (!furnace && !r.view.points.empty()) defines.push_back("POINT_LIGHTS");
+  if (!furnace && !r.view.placed.empty()) defines.push_back(fmt::format("PLACED_LIGHTS {}", static_cast<int>(frame.settings.areaLights)));
   if (!furnace && frame.optional.emissive) defines.push_back("EMISSIVE");
   if (furnace) defines.push_back("FURNACE");
   if (frame.optional.parameters) defines.push_back("READS_PARAMETERS");

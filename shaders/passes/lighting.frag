@@ -6,7 +6,7 @@
 #include "shaders/common/output.glsl"
 #pragma glint model
 
-layout(location = 0) flat in ivec2 inLights;
+layout(location = 0) flat in ivec3 inLights;
 layout(location = 0) out vec4 outColor;
 uniform vec4 standardParameters;  // where no material varies them
 uniform bool plainNonmetal;
@@ -17,9 +17,9 @@ struct DirectionalLight {
 };
 layout(std140, binding = 2) uniform DirectionalLights { DirectionalLight directional[16]; };
 
-#ifdef POINT_LIGHTS
-// Two texels a light, in the order of the tiles' lists: position in metres with 1 / radius^2, intensity in candela.
-// A texture, because software GL reads those eight pixels at a time and storage buffers one by one.
+#if defined(POINT_LIGHTS) || defined(PLACED_LIGHTS)
+#include "shaders/common/lights.glsl"
+// In the order of the tiles' lists, PointBlock and PlacedBlock of renderer/prepared_view.h. A texture, because software GL reads those eight pixels at a time and storage buffers one by one.
 layout(binding = 8) uniform samplerBuffer tileLights;
 #endif
 
@@ -90,6 +90,39 @@ layout(binding = 12) uniform sampler2D coatBrdf;
 #endif
 #endif
 
+#ifdef PLACED_LIGHTS
+// What a model sends on of a light of 1 candela.
+vec3 placedLight(PlacedLight light, Shading s, Parameters p) {
+  float falloff = attenuation(light);
+  if (falloff <= 0.0) return vec3(0.0);
+  Arrival arrival = representativePoint(light, s, PLACED_LIGHTS);
+  setLight(s, arrival.specularL);
+  vec3 lit = vec3(0.0);
+  if (dot(s.N, s.L) > 0.0) {
+#ifdef MODEL_IS_WHOLE
+    lit = modelLit(s, p) * arrival.specular;
+#else
+    if (arrival.widened > 0.0 && modelHasParts) {
+      Shading wide = s;
+      setRoughness(wide, sqrt(arrival.widened));
+      lit = (modelD(wide, p) * modelV(s, p)) * modelF(s, p) * arrival.specular;
+    } else {
+      lit = modelSpecular(s, p) * arrival.specular;
+    }
+#endif
+  }
+#ifndef MODEL_IS_WHOLE
+  setLight(s, arrival.diffuseL);
+  lit += modelDiffuse(s, p) * arrival.irradiance;
+#endif
+  if (modelScatters) {
+    setLight(s, arrival.diffuseL);
+    lit += modelScattered(s, p) / max(dot(light.center, light.center), 1e-12);
+  }
+  return lit * falloff;
+}
+#endif
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   Surface surface = readSurface(pixel);
@@ -134,18 +167,28 @@ void main() {
     radiance += modelLit(s, p) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
     if (modelScatters) radiance += modelScattered(s, p) * directional[i].radiance.rgb;
   }
-#ifdef POINT_LIGHTS
+#if defined(POINT_LIGHTS) || defined(PLACED_LIGHTS)
   vec3 position = worldPosition(gl_FragCoord.xy, texelFetch(gDepth, pixel, 0).r);
-  for (int i = 0; i < inLights.y; ++i) {
-    vec4 lightPosition = texelFetch(tileLights, 2 * (inLights.x + i));
-    vec3 intensity = texelFetch(tileLights, 2 * (inLights.x + i) + 1).rgb;
+  int texel = inLights.x;
+#endif
+#ifdef POINT_LIGHTS
+  for (int i = 0; i < inLights.y; ++i, texel += 2) {
+    vec4 lightPosition = texelFetch(tileLights, texel), intensity = texelFetch(tileLights, texel + 1);
     vec3 toLight = lightPosition.xyz - position;
     float distance2 = dot(toLight, toLight);
     vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
-    float falloff = windowedFalloff(distance2, lightPosition.w);
+    float falloff = windowedFalloff(distance2, lightPosition.w, intensity.w);
     setLight(s, L);
-    radiance += modelLit(s, p) * (intensity * (falloff * max(dot(N, L), 0.0)));
-    if (modelScatters) radiance += modelScattered(s, p) * (intensity * falloff);
+    radiance += modelLit(s, p) * (intensity.rgb * (falloff * max(dot(N, L), 0.0)));
+    if (modelScatters) radiance += modelScattered(s, p) * (intensity.rgb * falloff);
+  }
+#endif
+#ifdef PLACED_LIGHTS
+  for (int i = 0; i < inLights.z; ++i, texel += kPlacedLightTexels) {
+    vec4 at = texelFetch(tileLights, texel), intensity = texelFetch(tileLights, texel + 1), axis = texelFetch(tileLights, texel + 2);
+    PlacedLight light = PlacedLight(int(axis.w), at.xyz - position, at.w, intensity.w, axis.xyz, texelFetch(tileLights, texel + 3).xyz,
+                                    texelFetch(tileLights, texel + 4).xy);
+    radiance += placedLight(light, s, p) * intensity.rgb;
   }
 #endif
 #ifdef ENVIRONMENT

@@ -86,7 +86,16 @@ TEST(SceneOptions, EveryFaultIsReportedAtItsOption) {
   expectFault("camera", "fov=30,ortho=2", "exclude");
   expectFault("camera", "eye=0/0/0", "same point");
   expectFault("light", "disk:pos=1/1/1", "unknown kind of light");
-  expectFault("light", "sphere:pos=1/1/1,size=1", "not in this version");
+  expectFault("light", "sphere:pos=1/1/1,size=-1", "out of range");
+  expectFault("light", "sphere:pos=1/1/1,size=0,nits=5", "no luminance");
+  expectFault("light", "sphere:pos=1/1/1,length=1", "length");
+  expectFault("light", "tube:from=0/1/0", "from and to");
+  expectFault("light", "tube:from=0/1/0,to=1/1/0,pos=1/1/1", "from and to");
+  expectFault("light", "spot:pos=0/1/0,to=0/1/0", "where the light is");
+  expectFault("light", "spot:pos=0/1/0,inner=40,outer=30", "inner is larger");
+  expectFault("light", "spot:pos=0/1/0,outer=100", "out of range");
+  expectFault("light", "rectangle:pos=0/1/0,cd=1,nits=2", "give one of them");
+  expectFault("area-lights", "nots", "did you mean 'notes'?");
   expectFault("light", "point:cd=1", "needs its pos");
   expectFault("light", "directional", "needs its dir");
   expectFault("light", "directional:dir=0/0/0", "no length");

@@ -124,6 +124,7 @@ TEST_F(EditorTest, TheSceneIsInTheSameHistory) {
   ui().drag(slider.center(), {slider.high.x - 10, slider.center().y});
   ASSERT_EQ(document().steps().size(), 1u);
   EXPECT_GT(document().preview().environmentRotation, 60);
+  ui().click("Scene/Add light");
   ui().click("Scene/Add point");
   EXPECT_EQ(document().preview().lights.size(), 2u);
   addNode("constant");
@@ -237,6 +238,7 @@ TEST_F(EditorTest, AsksBeforeWorkIsLost) {
 
 TEST_F(EditorTest, AsksBeforeTheSceneOfAnUntitledMaterialIsLost) {
   begin();
+  ui().click("Scene/Add light");
   ui().click("Scene/Add point");
   ui().editor().requestQuit();
   ui().frames(3);
@@ -248,6 +250,7 @@ TEST_F(EditorTest, AsksBeforeTheSceneOfAnUntitledMaterialIsLost) {
 
   // That of a material that has a file is there again when the file is opened again.
   ASSERT_TRUE(document().saveAs(folder() / "lit.json", false).empty());
+  ui().click("Scene/Add light");
   ui().click("Scene/Add point");
   EXPECT_EQ(document().preview().lights.size(), 2u);
   begin();

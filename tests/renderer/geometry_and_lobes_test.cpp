@@ -84,7 +84,7 @@ TEST(LightTiles, ListEveryLightThatReachesASurface) {
     clusters.push_back(c);
   }
   const glm::ivec4 rectangle{10, 20, 300, 200};
-  const LightTiles tiles = buildLightTiles(clusters, lights, rectangle);
+  const LightTiles tiles = buildLightTiles(clusters, lights, lights.size(), rectangle);
   size_t wanted = 0;
   for (const VisibleCluster& c : clusters)
     for (size_t l = 0; l < lights.size(); ++l) {
@@ -102,8 +102,8 @@ TEST(LightTiles, ListEveryLightThatReachesASurface) {
       ++wanted;
       for (const Tile& tile : tiles.tiles) {
         if (tile.x0 >= c.pixels.z || tile.x1 <= c.pixels.x || tile.y0 >= c.pixels.w || tile.y1 <= c.pixels.y) continue;
-        const auto first = tiles.list.begin() + tile.first;
-        ASSERT_TRUE(std::find(first, first + tile.count, static_cast<uint32_t>(l)) != first + tile.count) << l;
+        const auto first = tiles.list.begin() + tile.first / kPointTexels;
+        ASSERT_TRUE(std::find(first, first + tile.points, static_cast<uint32_t>(l)) != first + tile.points) << l;
       }
     }
   EXPECT_GT(wanted, 50u);
@@ -114,8 +114,8 @@ TEST(LightTiles, MemoryIsBoundedWhereEveryLightReachesEverything) {
   VisibleCluster everything;
   everything.radius = 5;
   everything.pixels = {0, 0, 1280, 720};
-  const LightTiles tiles = buildLightTiles(std::span(&everything, 1), lights, {0, 0, 1280, 720});
-  EXPECT_LE(tiles.list.size(), kLongestLightList);
+  const LightTiles tiles = buildLightTiles(std::span(&everything, 1), lights, lights.size(), {0, 0, 1280, 720});
+  EXPECT_LE(tiles.texels, kMostLightTexels);
   // The tiles still cover every pixel once.
   int64_t area = 0;
   for (const Tile& t : tiles.tiles) area += int64_t{t.x1 - t.x0} * (t.y1 - t.y0);

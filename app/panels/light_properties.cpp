@@ -1,0 +1,82 @@
+#include "app/panels/light_properties.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/ui.h"
+
+namespace glint {
+namespace {
+
+using Unit = LightProperty::Unit;
+
+// As an artist thinks of a sun or a lamp: how high, and to which side.
+bool direction(const LightProperty& p, glm::vec3& d) {
+  float height = glm::degrees(std::asin(std::clamp(d.y, -1.0f, 1.0f)));
+  float side = glm::degrees(std::atan2(d.x, d.z));
+  ui::beginProperty("Height", std::string(p.doc) + ": degrees above the horizon");
+  bool turned = ui::slider("Height", height, -89.9f, 89.9f, "%.0f\u00b0");
+  ui::endProperty();
+  ui::beginProperty("Side", std::string(p.doc) + ": degrees about the vertical axis, from the viewer\u2019s side");
+  turned |= ui::slider("Side", side, -180, 180, "%.0f\u00b0");
+  ui::endProperty();
+  if (!turned) return false;
+  const float h = glm::radians(height), s = glm::radians(side);
+  d = {std::cos(h) * std::sin(s), std::sin(h), std::cos(h) * std::cos(s)};
+  return true;
+}
+
+bool power(Light& light, const LightProperty& p) {
+  float lumens = light.candela * lumensPerCandela(light);
+  const bool changed = ui::drag(p.title, &lumens, 1, 1, 0, 1e7f, "%.0f lm");
+  if (changed) light.candela = lumens / std::max(lumensPerCandela(light), 1e-6f);
+  const float nits = light.candela * nitsPerCandela(light);
+  ui::tooltip(nits > 0 ? fmt::format("{:.1f} cd, {:.4g} nits on its surface", light.candela, nits) : fmt::format("{:.1f} cd", light.candela));
+  return changed;
+}
+
+bool number(Light& light, const LightProperty& p) {
+  float& value = light.*p.number;
+  if (p.unit == Unit::Degrees) {
+    float degrees = glm::degrees(value);
+    if (!ui::slider(p.title, degrees, std::max(glm::degrees(p.least), -180.0f), std::min(glm::degrees(p.most), 180.0f), "%.0f\u00b0")) return false;
+    value = glm::radians(degrees);
+    return true;
+  }
+  if (p.unit == Unit::Lux) return ui::drag(p.title, &value, 1, 0.02f, p.least, p.most, "%.2f lx");
+  return ui::drag(p.title, &value, 1, 0.01f, p.least, std::min(p.most, 1e4f), p.unit == Unit::Metres ? "%.2f m" : "%.2f");
+}
+
+}  // namespace
+
+bool lightProperties(Light& light) {
+  bool changed = false;
+  for (const LightProperty& p : infoOf(light.kind).properties) {
+    if (p.unit == Unit::Direction) {
+      changed |= direction(p, light.*p.vector);
+      continue;
+    }
+    ui::beginProperty(p.title, p.doc);
+    if (p.unit == Unit::Color) changed |= ui::color(p.title, &(light.*p.vector).x, 1);
+    else if (p.unit == Unit::Position) changed |= ui::drag(p.title, &(light.*p.vector).x, 3, 0.02f, -1e4f, 1e4f, "%.2f");
+    else if (p.unit == Unit::Candela) changed |= power(light, p);
+    else changed |= number(light, p);
+    ui::endProperty();
+  }
+  light.innerAngle = std::min(light.innerAngle, light.outerAngle);
+  return changed;
+}
+
+Light newLight(LightKind kind) {
+  Light light;
+  light.kind = kind;
+  light.direction = glm::normalize(glm::vec3(1, 1.2f, 1));
+  light.position = {1.5f, 2, 2.5f};
+  light.axis = kind == LightKind::Tube ? glm::vec3(1, 0, 0) : glm::normalize(-light.position);
+  light.candela = kind == LightKind::Spot ? 40.0f : 15.0f;
+  light.radius = 20;
+  if (kind == LightKind::Sphere) light.size = 0.3f;
+  return light;
+}
+
+}  // namespace glint

@@ -1,0 +1,141 @@
+// Lights with a shape, as they are drawn.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/scene_options.h"
+#include "materials/model_registry.h"
+#include "renderer/renderer.h"
+#include "tests/support/simple_scene.h"
+
+namespace glint {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+class LightsTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    auto made = gl::Context::create({.backend = gl::Backend::Egl});
+    ASSERT_TRUE(made);
+    context = std::move(*made).release();
+    renderer = new Renderer(*context);
+    models = new ModelRegistry();
+    sphere = sphereMesh(48, 24);
+  }
+  static void TearDownTestSuite() {
+    delete models;
+    delete renderer;
+    delete context;
+    sphere.reset();
+  }
+  static Scene scene(const char* model, const test::Look& look, const std::vector<Light>& lights) {
+    Scene scene;
+    scene.materials.push_back(test::material(models->find(model), look));
+    scene.instances.push_back({sphere, glm::mat4(1), 0});
+    scene.lights = lights;
+    return scene;
+  }
+  static ImageF draw(const Scene& scene, AreaLights method = AreaLights::Unreal) {
+    constexpr int kSide = 48;
+    Camera camera;
+    camera.orthoHeight = 2.2f;
+    const View view{&scene, camera, {0, 0, kSide, kSide}};
+    RenderSettings settings;
+    settings.areaLights = method;
+    return renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
+  }
+  static double center(const ImageF& image) { return image.at(image.width / 2, image.height / 2)[0]; }
+
+  static inline gl::Context* context = nullptr;
+  static inline Renderer* renderer = nullptr;
+  static inline ModelRegistry* models = nullptr;
+  static inline MeshPtr sphere;
+};
+
+// product.md: a light of zero size equals the point light.
+TEST_F(LightsTest, WithoutASizeTheyArePoints) {
+  const Light point{.kind = LightKind::Point, .color = {1, 0.5f, 0.2f}, .position = {1, 1, 2}, .candela = 3, .radius = 6};
+  Light ball = point, tube = point;
+  ball.kind = LightKind::Sphere;
+  ball.size = 0;
+  tube.kind = LightKind::Tube;
+  tube.size = tube.length = 0;
+  const test::Look look{.baseColor = glm::vec3(0.5f), .roughness = 0.3f};
+  const ImageF expected = draw(scene("ggx", look, {point}));
+  EXPECT_EQ(draw(scene("ggx", look, {ball})).data, expected.data);
+  EXPECT_EQ(draw(scene("ggx", look, {tube})).data, expected.data);
+  // And as they get small they come near to it.
+  ball.size = tube.size = tube.length = 1e-3f;
+  for (const Light& light : {ball, tube}) {
+    const ImageF small = draw(scene("ggx", look, {light}));
+    for (size_t i = 0; i < small.data.size(); ++i) ASSERT_NEAR(small.data[i], expected.data[i], 0.02 * expected.data[i] + 1e-4);
+  }
+}
+
+// The irradiance of a Lambert surface that faces the light, against closed forms; without the constant of eq. 9, and far
+// inside the window.
+TEST_F(LightsTest, IrradianceIsThatOfTheShape) {
+  const test::Look white{.baseColor = glm::vec3(1), .roughness = 0.7f, .specular = 0};
+  const auto light = [](LightKind kind, double distance) {
+    return Light{.kind = kind, .position = {0, 0, 1 + distance}, .candela = 10, .radius = 1e4f, .constant = 0, .axis = {0, 0, -1}};
+  };
+  for (const double d : {0.6, 1.5, 4.0}) {
+    // A sphere is a point light above the horizon.
+    Light ball = light(LightKind::Sphere, d);
+    ball.size = static_cast<float>(0.5 * d);
+    EXPECT_NEAR(center(draw(scene("blinn-phong", white, {ball}))), 10 / (d * d) / kPi, 0.01 * 10 / (d * d)) << d;
+    // A line of points across the normal: the integral of d / (d^2 + x^2)^(3/2).
+    Light tube = light(LightKind::Tube, d);
+    tube.axis = {1, 0, 0};
+    tube.length = 2;
+    tube.size = 0.01f;
+    const double line = 10 / (d * std::sqrt(d * d + 1)) / kPi;
+    EXPECT_NEAR(center(draw(scene("blinn-phong", white, {tube}))), line, 0.01 * line) << d;
+  }
+  // A small rectangle that shines straight at it: four times the point light of its power.
+  Light rectangle = light(LightKind::Rectangle, 4);
+  rectangle.width = rectangle.height = 0.1f;
+  EXPECT_NEAR(center(draw(scene("blinn-phong", white, {rectangle}))), 4 * 10 / 16.0 / kPi, 0.01);
+  rectangle.axis = {0, 0, 1};
+  EXPECT_EQ(center(draw(scene("blinn-phong", white, {rectangle}))), 0) << "it shines to one side";
+  // A spot is full inside, and sends out the lumens it was given.
+  const auto spot = parseLight("spot:pos=0/0/5,to=0/0/0,lumens=100,inner=20,outer=30,radius=10000,constant=0");
+  ASSERT_TRUE(spot);
+  double flux = 0;
+  constexpr int kSteps = 20000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = (i + 0.5) / kSteps * kPi / 2;
+    const double x = std::clamp((std::cos(angle) - std::cos(kPi / 6)) / (std::cos(kPi / 9) - std::cos(kPi / 6)), 0.0, 1.0);
+    flux += spot->candela * x * x * 2 * kPi * std::sin(angle) * kPi / 2 / kSteps;
+  }
+  EXPECT_NEAR(flux, 100, 0.1);
+  EXPECT_NEAR(center(draw(scene("blinn-phong", white, {*spot}))), spot->candela / 16 / kPi, 0.01 * spot->candela / 16);
+}
+
+// Lights where they cannot be, drawn by every model with every method: never a pixel that is not a number.
+TEST_F(LightsTest, OddOnesLeaveNothingInvalid) {
+  const char* odd[] = {"sphere:pos=0/0/0,size=0.5", "sphere:pos=0/0/1,size=2",  "sphere:pos=0/0/1,size=0", "point:pos=0/0/1,constant=0",
+                       "tube:from=0/0/1,to=0/0/1,size=0", "tube:from=0/0/-3,to=0/0/3,size=0.1", "tube:from=0/0/2,to=0/0/5,size=0",
+                       "tube:from=-1/0/1,to=1/0/1,size=0.2", "rectangle:pos=0/0/1,dir=0/0/-1,width=0,height=0", "rectangle:pos=0/0/1,dir=1/0/0",
+                       "rectangle:pos=0/0/0,dir=0/0/1,width=100,height=100", "spot:pos=0/0/1,dir=0/0/-1,inner=0,outer=0", "spot:pos=0/0/3,dir=0/0/1",
+                       "sphere:pos=0/0/1.5,size=0.5,radius=0.002", "sphere:pos=0/1e8/0,size=1e7,cd=1e9,radius=1e9", "directional:dir=0/0/1,lux=1e9"};
+  for (const ModelPtr& model : models->all())
+    for (const AreaLightsInfo& method : areaLightMethods())
+      for (const float roughness : {0.0f, 1.0f}) {
+        std::vector<Light> lights;
+        for (const char* text : odd) {
+          const auto light = parseLight(text);
+          ASSERT_TRUE(light) << text;
+          lights.push_back(*light);
+        }
+        Scene s = scene("ggx", {.baseColor = glm::vec3(1), .metallic = 1, .roughness = roughness}, lights);
+        s.materials[0].model = model;
+        draw(s, method.method);
+        EXPECT_EQ(renderer->statistics().invalidPixels, 0) << model->id << " " << method.id << " " << roughness;
+      }
+}
+
+}  // namespace
+}  // namespace glint
