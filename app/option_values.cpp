@@ -31,9 +31,10 @@ std::vector<std::string> splitText(const std::string& text, char separator) {
 Result<float> parseNumber(const std::string& text, float low, float high, const std::string& place) {
   const auto value = finiteNumber(text);
   if (!value) return error(place, fmt::format("'{}' is not a number", text), fmt::format("write a number from {:g} to {:g}", low, high));
-  if (*value < low || *value > high)
+  const float number = static_cast<float>(*value);
+  if (!(number >= low && number <= high))
     return error(place, fmt::format("{} is out of range", text), fmt::format("{:g} to {:g} are allowed", low, high));
-  return static_cast<float>(*value);
+  return number;
 }
 
 Result<int> parseWhole(const std::string& text, int low, int high, const std::string& place) {

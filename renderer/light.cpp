@@ -14,7 +14,7 @@ using Unit = LightProperty::Unit;
 
 const LightProperty kColor{"color", "color", "Colour", "Factor on the light, linear", Unit::Color, nullptr, &Light::color};
 const LightProperty kPosition{"position", "pos", "Position", "Of the middle, metres", Unit::Position, nullptr, &Light::position};
-const LightProperty kPower{"candela", "cd", "Power", "Of a point light of the same power, candela; lumens / 4 pi", Unit::Candela, &Light::candela, nullptr, 0, 1e9f};
+const LightProperty kPower{"candela", "cd", "Power", "Of a point light of the same power, candela; lumens / 4 pi", Unit::Candela, &Light::candela};
 const LightProperty kRange{"radius", "radius", "Range", "Metres from the middle, beyond which it has no effect", Unit::Metres, &Light::radius, nullptr, 1e-3f};
 const LightProperty kConstant{"constant", "constant", "Falloff constant", "What is added to the squared distance: 1 in the notes, 0 in nature", Unit::None, &Light::constant};
 const LightProperty kAxis{"axis", "dir", "Direction", "The way it shines", Unit::Direction, nullptr, &Light::axis};
@@ -28,13 +28,13 @@ const std::vector<LightKindInfo>& kinds() {
   static const std::vector<LightKindInfo> all = {
       {LightKind::Directional, "directional", "Directional", "dir=1/1/1,lux=3.14",
        {{"direction", "dir", "Direction", "Towards the light", Unit::Direction, nullptr, &Light::direction},
-        {"lux", "lux", "Illuminance", "Lux: pi makes a white surface that faces it show 1", Unit::Lux, &Light::lux, nullptr, 0, 1e9f},
+        {"lux", "lux", "Illuminance", "Lux: pi makes a white surface that faces it show 1", Unit::Lux, &Light::lux},
         kColor}},
       {LightKind::Point, "point", "Point", "pos=0/2/2,lumens=800", {kPosition, kPower, kColor, kRange, kConstant}},
       {LightKind::Spot, "spot", "Spot", "pos=0/3/2,to=0/0/0,lumens=800,outer=30",
        {kPosition,
         kAxis,
-        {"candela", "cd", "Power", "Along its axis, candela", Unit::Candela, &Light::candela, nullptr, 0, 1e9f},
+        {"candela", "cd", "Power", "Along its axis, candela", Unit::Candela, &Light::candela},
         spotAngle("innerAngle", "inner", "Inner angle", "From the axis to where it is still full", &Light::innerAngle),
         spotAngle("outerAngle", "outer", "Outer angle", "From the axis to where it ends", &Light::outerAngle),
         kColor,

@@ -55,7 +55,7 @@ struct LightProperty {
   Unit unit;
   float Light::*number = nullptr;      // one of the two
   glm::vec3 Light::*vector = nullptr;
-  float least = 0, most = 1e6f;        // as stored: angles in radians
+  float least = 0, most = 1e9f;        // as stored: angles in radians
 };
 struct LightKindInfo {
   LightKind kind;

@@ -120,7 +120,7 @@ TEST_F(LightsTest, OddOnesLeaveNothingInvalid) {
                        "tube:from=0/0/1,to=0/0/1,size=0", "tube:from=0/0/-3,to=0/0/3,size=0.1", "tube:from=0/0/2,to=0/0/5,size=0",
                        "tube:from=-1/0/1,to=1/0/1,size=0.2", "rectangle:pos=0/0/1,dir=0/0/-1,width=0,height=0", "rectangle:pos=0/0/1,dir=1/0/0",
                        "rectangle:pos=0/0/0,dir=0/0/1,width=100,height=100", "spot:pos=0/0/1,dir=0/0/-1,inner=0,outer=0", "spot:pos=0/0/3,dir=0/0/1",
-                       "sphere:pos=0/0/1.5,size=0.5,radius=0.002", "sphere:pos=0/1e8/0,size=1e7,cd=1e9,radius=1e9", "directional:dir=0/0/1,lux=1e9"};
+                       "sphere:pos=0/0/1.5,size=0.5,radius=0.001", "sphere:pos=0/1e8/0,size=1e7,cd=1e9,radius=1e9", "directional:dir=0/0/1,lux=1e9"};
   for (const ModelPtr& model : models->all())
     for (const AreaLightsInfo& method : areaLightMethods())
       for (const float roughness : {0.0f, 1.0f}) {
