@@ -10,8 +10,9 @@
 #include <optional>
 
 #include "materials/base/check.h"
+#include "materials/glsl_scan.h"
 #include "renderer/model_integrals.h"
-#include "renderer/model_probe.h"
+#include "renderer/probe_points.h"
 #include "renderer/sampler_error.h"
 #include "renderer/split_sum_error.h"
 
@@ -30,50 +31,6 @@ const std::vector<float> kFineNoV = {0.005f, 0.01f, 0.02f, 0.05f, 0.1f, 0.2f, 0.
 const std::vector<float> kCoarseRoughness = {0.05f, 0.15f, 0.3f, 0.5f, 0.75f, 1.f};
 const std::vector<float> kCoarseNoV = {0.005f, 0.05f, 0.2f, 0.5f, 1.f};
 
-glm::dvec3 direction(double cosine, double azimuth) {
-  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
-}
-
-struct Pair {
-  glm::dvec3 light, view;
-};
-
-// Over the hemispheres, with the cases that divide by zero where a model is careless; each is followed by itself with
-// light and view in each other's place.
-std::vector<Pair> directionPairs() {
-  const double cosines[] = {1e-7, 1e-3, 0.02, 0.1, 0.35, 0.7, 0.95, 1};
-  std::vector<Pair> pairs;
-  for (const double l : cosines)
-    for (const double v : cosines)
-      for (const double azimuth : {0.0, 1.1, 2.6, pi}) {
-        pairs.push_back({direction(l, azimuth), direction(v, 0)});
-        pairs.push_back({direction(v, 0), direction(l, azimuth)});
-      }
-  return pairs;
-}
-
-// Of what a model does not read one value is as good as all.
-std::vector<ProbePoint> probePoints(const ShadingModel& model) {
-  static const std::vector<Pair> pairs = directionPairs();
-  const bool colors = model.reads("baseColor") || model.reads("specular") || model.reads("metallic");
-  const std::vector<float> roughnesses = model.reads("roughness") ? std::vector{0.f, 0.02f, 0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.75f, 1.f} : std::vector{0.5f};
-  const std::vector<float> reflectances = colors ? std::vector{0.f, 0.04f, 1.f} : std::vector{0.04f};
-  std::vector<ProbePoint> points;
-  for (const bool light : {true, false})
-    for (const float roughness : roughnesses)
-      for (const float F0 : reflectances)
-        for (const Pair& pair : pairs) {
-          ProbePoint p = ProbePoint::at(pair.light, pair.view);
-          p.fromDirections = true;
-          p.roughness = roughness;
-          p.F0 = glm::vec3(F0);
-          p.analyticLight = light;
-          points.push_back(p);
-        }
-  return points;
-}
-
 class Examination {
  public:
   Examination(const ShadingModel& model, bool compensate, ModelHealth& card, const std::function<bool()>& stopped)
@@ -88,9 +45,15 @@ class Examination {
     if (!integrals) return fails(integrals.diagnostics());
     result(Law::Compiles);
     hasD_ = model_.definesD || !model_.termD.empty();
-    points_ = probePoints(model_);
+    points_ = gridPoints(model_);
     if (stopped()) return;
-    values(*probe);
+    values(points_, probe->evaluate(points_));
+    if (stopped()) return;
+    for (const ScatteredPoints& some : scatteredPoints(model_)) {
+      constants_ = some.constants;
+      values(some.points, probe->evaluate(some.points, constants_));
+    }
+    constants_.clear();
     if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
     if (stopped()) return;
     energy(*integrals, kFineRoughness, kFineNoV);
@@ -113,8 +76,9 @@ class Examination {
         probe->set(p.name, value);
         if (p.name != model_.tangentRotation) integrals->set(p.name, value);  // which no sum around the normal sees
         setting_ = fmt::format(", {} {}", p.fileName.empty() ? p.name : p.fileName, end);
+        end_ = {p.name, value};
         if (stopped()) return;
-        values(*probe);
+        values(points_, probe->evaluate(points_));
         if (result(Law::Finite).verdict == Verdict::Red) return;
         if (p.name != model_.tangentRotation) energy(*integrals, kCoarseRoughness, kCoarseNoV);
       }
@@ -141,7 +105,7 @@ class Examination {
   }
   std::string at(const ProbePoint& p) const {
     return fmt::format("{}NoL {:.4g}, NoV {:.4g}{}{}", roughnessText(p.roughness), p.light.z, p.view.z,
-                       model_.isWhole() ? "" : fmt::format(", F0 {:.2g}", p.F0.g), setting_);
+                       model_.isWhole() ? "" : fmt::format(", F0 {:.2g}", p.F0.g), p.ownParameters ? parametersText(model_, p, constants_) : setting_);
   }
   std::string at(const IntegralQuery& q) const {
     return fmt::format("{}NoV {:.3g}{}{}{}", roughnessText(q.roughness), q.NoV,
@@ -149,25 +113,46 @@ class Examination {
                        q.analyticLight ? "" : ", under an environment", setting_);
   }
 
-  void values(const ModelProbe& probe) {
-    const std::vector<glm::vec4> out = probe.evaluate(points_);
+  static bool isFault(float v) { return !std::isfinite(v) || v < 0; }
+
+  // What of the model gives a value that is no light, and where in its file that stands, when it is the file's own.
+  struct Culprit {
+    std::string name = {}, place = {};  // ", because of D", "planted.glsl:7, "
+  };
+  Culprit culprit(const ProbePoint& point) {
+    auto probe = ModelProbe::ofModelParts(model_, compensate_);
+    if (!probe) return {};
+    if (!setting_.empty()) probe->set(end_.first, end_.second);
+    const ProbePoint one[] = {point};
+    const std::vector<glm::vec4> out = constants_.empty() ? probe->evaluate(one) : probe->evaluate(one, constants_);
+    const auto faulty = [](const glm::vec4& v) { return isFault(v.r) || isFault(v.g) || isFault(v.b); };
+    const std::pair<bool, std::string> parts[] = {
+        {isFault(out[0].w), "D"}, {isFault(out[1].w), "V"}, {faulty(out[2]), "F"}, {faulty(out[1]), "diffuse"}, {faulty(out[0]), "specular"}};
+    for (const auto& [bad, name] : parts) {
+      if (!bad) continue;
+      const std::string own = model_.isWhole() ? model_.namePrefix + "BRDF" : name;
+      for (const GlslFunction& f : scanGlsl(model_.source).functions)
+        if (f.name == own) return {", because of " + (model_.isWhole() ? "BRDF" : name), fmt::format("{}:{}, ", (model_.sourceFile.empty() ? model_.file : model_.sourceFile).string(), f.line)};
+      return {", because of " + name};
+    }
+    return {};
+  }
+
+  // Of points that are each followed by themselves with light and view in each other's place.
+  void values(const std::vector<ProbePoint>& points, const std::vector<glm::vec4>& out) {
     LawResult &finite = result(Law::Finite), &positive = result(Law::NonNegative);
     double worst = 0;
     size_t worstAt = 0;
-    for (size_t i = 0; i < points_.size(); ++i) {
+    const ProbePoint *broken = nullptr, *darkest = nullptr;
+    for (size_t i = 0; i < points.size(); ++i) {
       for (const glm::vec4& v : {out[2 * i], out[2 * i + 1]})
         for (int c = 0; c < 4; ++c) {
           if (!std::isfinite(v[c]) && finite.verdict == Verdict::Green) {
             finite.verdict = Verdict::Red;
-            finite.where = at(points_[i]);
-            finite.reason = "is not finite";
-            finite.hint = "guard a division, a root or a power; a loop that does not end gives this too";
+            broken = &points[i];
           } else if (v[c] < positive.value && !told(positive)) {
-            positive.verdict = Verdict::Red;
             positive.value = v[c];
-            positive.where = at(points_[i]);
-            positive.reason = fmt::format("is negative, {:.4g}", v[c]);
-            positive.hint = "light cannot be taken away: clamp the term that turns";
+            darkest = &points[i];
           }
         }
       if (i % 2) continue;
@@ -181,11 +166,24 @@ class Examination {
           }
         }
     }
+    if (broken) {
+      const Culprit by = culprit(*broken);
+      finite.where = by.place + at(*broken);
+      finite.reason = "is not finite" + by.name;
+      finite.hint = "guard a division, a root or a power; a loop that does not end gives this too";
+    }
+    if (darkest) {
+      const Culprit by = culprit(*darkest);
+      positive.verdict = Verdict::Red;
+      positive.where = by.place + at(*darkest);
+      positive.reason = fmt::format("is negative, {:.4g}{}", positive.value, by.name);
+      positive.hint = "light cannot be taken away: clamp the term that turns";
+    }
     LawResult& reciprocal = result(Law::Reciprocity);
     reciprocal.claimed = model_.claims.reciprocal;
     if (worst <= reciprocal.value || told(reciprocal)) return;
     reciprocal.value = worst;
-    reciprocal.where = at(points_[worstAt]);
+    reciprocal.where = at(points[worstAt]);
     if (worst <= kReciprocal) return;
     reciprocal.verdict = reciprocal.claimed ? Verdict::Red : Verdict::Amber;
     reciprocal.reason = fmt::format("is not reciprocal{}: swapping light and view changes it by {:.3g} %",
@@ -305,6 +303,8 @@ class Examination {
   bool hasD_ = false;
   std::vector<ProbePoint> points_;
   std::string setting_;  // ", gamma 4" while a parameter is not at its default
+  std::pair<std::string, Value> end_;  // that one
+  std::vector<glm::vec4> constants_;   // of points with their own
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ Shading shadingAt(Point p) {
 
 // Of a model, between the point and the outputs.
 constexpr const char* kPrepareGlsl = R"(
-  Parameters p = modelParameters(standardParameters);
+  Parameters p = modelParameters(points[i].b.w != 0.0 ? a : standardParameters);
   if (points[i].base.w != 0.0) {
     setColors(s, s.baseColor, s.metallic, s.specular);
     modelColors(s, p);
@@ -72,7 +72,7 @@ GpuPoint pack(const ProbePoint& p) {
           {p.light, static_cast<float>(p.choice)},
           {p.view, p.fromDirections ? 1.f : 0.f},
           p.a,
-          p.b};
+          p.ownParameters ? glm::vec4(0, 0, 0, 1) : p.b};
 }
 
 }  // namespace
@@ -190,6 +190,17 @@ std::vector<glm::vec4> ModelProbe::evaluate(std::span<const ProbePoint> points) 
     const Diagnostics faults = tables_->apply(setting_, program_);
     GLINT_CHECK(faults.empty(), "{}", faults[0].text());
   }
+  return run(points);
+}
+
+std::vector<glm::vec4> ModelProbe::evaluate(std::span<const ProbePoint> points, std::span<const glm::vec4> constants) const {
+  const Diagnostics faults = tables_->apply(setting_, program_);
+  GLINT_CHECK(faults.empty() && constants.size() == setting_.constants.size(), "{} constants", constants.size());
+  program_.set4("glintModelConstants", &constants[0].x, static_cast<int>(constants.size()));
+  return run(points);
+}
+
+std::vector<glm::vec4> ModelProbe::run(std::span<const ProbePoint> points) const {
   std::vector<glm::vec4> values;
   values.reserve(points.size() * static_cast<size_t>(outputs_));
   for (size_t begin = 0; begin < points.size(); begin += kBatch) {

@@ -24,6 +24,8 @@ struct ProbePoint {
   float metallic = 0, specular = 0.5f;
   bool analyticLight = true;
   glm::vec4 a{0}, b{0};                      // arguments of expressions
+  // Of a model: its per-pixel parameters are `a`, as where a material varies them, instead of the probe's own.
+  bool ownParameters = false;
   int choice = 0;                            // the expression, of ofChoices()
   // The cosines come from `light` and `view` as in a picture (setDirections of shading.glsl) instead of from
   // the members above.
@@ -59,6 +61,8 @@ class ModelProbe {
 
   // Of every point its outputs in order.
   std::vector<glm::vec4> evaluate(std::span<const ProbePoint>) const;
+  // With other values for the parameters without a slot (ModelSetting::constants); what was derived from the model stays.
+  std::vector<glm::vec4> evaluate(std::span<const ProbePoint>, std::span<const glm::vec4> constants) const;
   int outputs() const { return outputs_; }
   const ShadingModel& model() const { return *setting_.shader->model; }  // of ofModel()
 
@@ -67,6 +71,7 @@ class ModelProbe {
 
  private:
   ModelProbe() = default;
+  std::vector<glm::vec4> run(std::span<const ProbePoint>) const;
   static Result<ModelProbe> build(const std::string& name, const std::string& glsl, const std::vector<std::string>& outputs,
                                   const std::string& defines = {});
   static Result<ModelProbe> ofOutputs(const ShadingModel&, const std::vector<std::string>& outputs, bool compensate, bool ownAlpha = false);

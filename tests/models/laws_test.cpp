@@ -131,6 +131,30 @@ TEST_F(Laws, DivisionByZero) {
               testing::HasSubstr("is not finite"));
 }
 
+// A fault that holds only between two roughnesses, two angles or two values of a parameter is found, with its function.
+TEST_F(Laws, FaultsInAWindow) {
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) {\n"
+                           "  return s.roughness > 0.62 && s.roughness < 0.64 ? sqrt(-s.NoL) : V_SmithGGX(s); }"),
+              testing::ContainsRegex("red: is not finite, because of V \\(planted.glsl:2, roughness 0.6[23]"));
+  EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) {\n"
+                            "  return s.diffuseColor * (s.NoV > 0.80 && s.NoV < 0.83 && s.NoL > 0.5 && s.NoL < 0.55 ? -0.1 : 0.3); }", "false"),
+              testing::ContainsRegex("red: is negative, -0.[0-9]+, because of diffuse \\(planted.glsl:2, roughness .*NoL 0.5.*NoV 0.8"));
+  EXPECT_THAT(verdict(kVF, "float D(Shading s, Parameters p) { return s.sinH2 > 0.10 && s.sinH2 < 0.12 ? -1.0 : D_GGX(s); }"),
+              testing::HasSubstr("because of D (planted.glsl:2"));
+}
+
+TEST_F(Laws, FaultsWithinTheRangeOfAParameter) {
+  // The fifth number is a constant of the material.
+  for (const char* name : {"first", "fifth"}) {
+    const auto model = parseModel("within.glsl", fmt::format(R"(/*glint {{"id": "within", "terms": {{"D": "GGX", "F": "Schlick"}},
+      "parameters": [{{"name": "first", "type": "float", "default": 0}}, {{"name": "b", "type": "color", "default": 0}},
+                     {{"name": "fifth", "type": "float", "default": 0}}]}} */
+      float V(Shading s, Parameters p) {{ return p.{0} > 0.3 && p.{0} < 0.7 ? -1.0 : V_SmithGGX(s); }})", name));
+    ASSERT_TRUE(model) << text(model.diagnostics());
+    EXPECT_THAT(card(*model), testing::ContainsRegex(fmt::format("red: is negative, .*because of V .within.glsl:4, .*, {} 0[.][3-6]", name)));
+  }
+}
+
 TEST_F(Laws, DiffusePartCounts) {
   EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * 0.5; }"),
               testing::HasSubstr("the diffuse part reflects 1.57"));
