@@ -168,7 +168,7 @@ Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return
 
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, std::optional<bool> compensate) {
   return ofOutputs(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
-                         "vec4(modelF(s, p), 0.0)"}, compensate.value_or(model.compensate));
+                         "vec4(modelF(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)"}, compensate.value_or(model.compensate));
 }
 
 Result<ModelProbe> ModelProbe::ofOutputs(const ShadingModel& model, const std::vector<std::string>& outputs, bool compensate, bool ownAlpha) {

@@ -54,7 +54,7 @@ class ModelProbe {
   // With `compensate`, which is as the head asks when not given, the specular f has the lobe of further bounces in it
   // (renderer/model_tables.h). With `ownAlpha` alpha has no floor, which is for models without such tables.
   static Result<ModelProbe> ofModel(const ShadingModel&, std::optional<bool> compensate = {}, bool ownAlpha = false);
-  // Three outputs: (specular f, D), (diffuse f, V) and (F, 0); 0 for a term that the model has not.
+  // Four outputs: (specular f, D), (diffuse f, V), (F, 0) and (scattered light, 0); 0 for what the model has not.
   static Result<ModelProbe> ofModelParts(const ShadingModel&, std::optional<bool> compensate = {});
   // One output: what the model's own environment() reflects, for models that define it.
   static Result<ModelProbe> ofEnvironment(const ShadingModel&);

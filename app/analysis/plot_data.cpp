@@ -72,9 +72,9 @@ std::vector<Variant> variantsOf(const PlotSettings& s) {
   return variants;
 }
 
-// The probe's three outputs at a point (ModelProbe::ofModelParts).
+// The probe's outputs at a point (ModelProbe::ofModelParts).
 struct Parts {
-  glm::dvec3 specular, diffuse, F;
+  glm::dvec3 specular, diffuse, F, scattered;
   double D, V;
   glm::dvec3 part(PlotPart p) const { return p == PlotPart::Specular ? specular : p == PlotPart::Diffuse ? diffuse : specular + diffuse; }
 };
@@ -83,8 +83,8 @@ std::vector<Parts> evaluateParts(const ModelProbe& probe, const std::vector<Prob
   const std::vector<glm::vec4> out = probe.evaluate(points);
   std::vector<Parts> parts(points.size());
   for (size_t i = 0; i < parts.size(); ++i) {
-    const glm::dvec4 a = out[3 * i], b = out[3 * i + 1], c = out[3 * i + 2];
-    parts[i] = {glm::dvec3(a), glm::dvec3(b), glm::dvec3(c), a.w, b.w};
+    const glm::dvec4 a = out[4 * i], b = out[4 * i + 1], c = out[4 * i + 2];
+    parts[i] = {glm::dvec3(a), glm::dvec3(b), glm::dvec3(c), glm::dvec3(out[4 * i + 3]), a.w, b.w};
   }
   return parts;
 }
@@ -165,7 +165,10 @@ void addCurves(PlotData& data, const std::vector<Variant>& variants, size_t subj
         case PlotKind::V: y = at.V; break;
         case PlotKind::G: y = at.V * 4 * std::max(d.light.z, 0.0) * std::max(d.view.z, 0.0); break;
         case PlotKind::F: y = channelValue(at.F, v.channel); break;
-        default: y = channelValue(at.part(v.part), v.channel) * (s.cosine ? std::max(d.light.z, 0.0) : 1.0);
+        default:
+          y = channelValue(at.part(v.part), v.channel) * (s.cosine ? std::max(d.light.z, 0.0) : 1.0);
+          // What is scattered within has no cosine to be taken out: it is no part of f.
+          if (s.cosine && v.part != PlotPart::Specular) y += channelValue(at.scattered, v.channel);
       }
       curve.y.push_back(y);
     }
@@ -209,7 +212,7 @@ void addAlbedo(PlotData& data, const std::vector<Variant>& variants, size_t subj
     for (size_t i = 0; i < grid.size(); ++i) {
       const ModelIntegral& at = values[first[k] + i];
       const PlotPart part = variants[k].part;
-      const glm::dvec3 sum = (part == PlotPart::Diffuse ? glm::dvec3(0) : at.specular) + (part == PlotPart::Specular ? glm::dvec3(0) : at.diffuse);
+      const glm::dvec3 sum = (part == PlotPart::Diffuse ? glm::dvec3(0) : at.specular) + (part == PlotPart::Specular ? glm::dvec3(0) : at.diffuse + at.scattered);
       curve.y.push_back(channelValue(sum, variants[k].channel));
     }
     data.curves.push_back(std::move(curve));
@@ -262,6 +265,15 @@ void mergeGreyChannels(PlotData& data, std::vector<Variant>& variants) {
   PlotSettings grey = data.settings;
   grey.channel = PlotChannel::Luminance;
   variants = variantsOf(grey);
+}
+
+// Where the light that a model scatters within is, or that it is left out.
+void noteScattered(PlotData& data, const ShadingModel& model, const std::string& title) {
+  const PlotSettings& s = data.settings;
+  if (!model.definesScattered || !takes(s.kind, "part") || s.parts == std::vector<PlotPart>{PlotPart::Specular}) return;
+  if (s.kind == PlotKind::Albedo) data.notes.push_back(title + ": its diffuse part has the light scattered within, from all around");
+  else if (s.cosine && s.kind != PlotKind::Slice) data.notes.push_back(title + ": its diffuse part has the light scattered within");
+  else data.notes.push_back(title + ": the light scattered within is left out" + (s.kind == PlotKind::Slice ? "" : "; times the cosine it is there"));
 }
 
 void noteGaps(PlotData& data) {
@@ -352,6 +364,7 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
       continue;
     }
     const bool albedo = settings.kind == PlotKind::Albedo;
+    noteScattered(data, model, subjects[i].title);
     Making making{.compensate = settings.compensate || model.compensate};
     if (albedo) {
       making.specularOnly = settings.parts == std::vector<PlotPart>{PlotPart::Specular};

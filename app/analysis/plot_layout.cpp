@@ -218,11 +218,14 @@ void drawPolar(Sheet& sheet, float top) {
     lastLabel = x + half;
   }
   // Where the view stands, and where a mirror would have the light.
+  float labelled = -90;
   for (const float angle : s.angles) {
     if (s.out != 0 || angle == 0) continue;
     sheet.line({frame.place(-angle, frame.y.low), frame.place(-angle, frame.y.high)}, 1.5f, sheet.dim);
     sheet.line({frame.place(angle, frame.y.low), frame.place(angle, frame.y.high)}, 1, sheet.dim, {sheet.px(3), sheet.px(4)});
-    if (s.angles.size() > 1) continue;
+    // Of lines that are close together one has the words.
+    if (std::abs(angle - labelled) < 10) continue;
+    labelled = angle;
     // The words stand outside, beyond the degrees.
     for (const double at : {-static_cast<double>(angle), static_cast<double>(angle)}) {
       const glm::vec2 rim = frame.place(at, frame.y.high), out = glm::normalize(rim - frame.place(0, frame.y.low));

@@ -156,6 +156,34 @@ TEST_F(Plots, WhatAModelHasNotIsLeftOutAndSaid) {
   EXPECT_NEAR(valueAt(lobe.curves[0], 10), 0.5, 1e-6);
 }
 
+// Light from within has no cosine: it is there where plots are of light sent out, and left out of f, which is said.
+TEST_F(Plots, ScatteredLightIsWithTheDiffuse) {
+  const auto model = parseModel("wax.glsl", "/*glint {\"id\": \"wax\", \"title\": \"Wax\"} */\nvec3 specular(Shading s, Parameters p) { return vec3(0.0); }\n"
+                                            "vec3 diffuse(Shading s, Parameters p) { return vec3(0.0); }\nvec3 scattered(Shading s, Parameters p) { return vec3(0.25); }\n");
+  ASSERT_TRUE(model) << model.diagnostics()[0].text();
+  const PlotSubject wax{std::make_shared<const ShadingModel>(*model), {}, "Wax"};
+  const PlotData f = *computer_->compute(settings("lobe:part=diffuse"), {wax}), sent = *computer_->compute(settings("polar:part=sum,cosine=1"), {wax});
+  EXPECT_NEAR(valueAt(f.curves[0], 20), 0, 1e-6);
+  EXPECT_EQ(f.notes, std::vector<std::string>{"Wax: the light scattered within is left out; times the cosine it is there"});
+  EXPECT_NEAR(valueAt(sent.curves[0], 20), 0.25, 1e-5);
+  EXPECT_EQ(computer_->compute(settings("lobe"), {wax})->notes.size(), 0u) << "its specular part is whole";
+  const PlotData albedo = *computer_->compute(settings("albedo:part=diffuse"), {wax});
+  EXPECT_NEAR(valueAt(albedo.curves[0], 20), 0.25 * 4 * pi, 1e-3) << "over light from all around";
+}
+
+// Each line of a view that stands alone has its words.
+TEST_F(Plots, PolarPlotsNameTheirViews) {
+  const PlotDrawing drawing = draw(compute("polar:angle=0/80", {"ggx"}));
+  int views = 0, mirrors = 0;
+  for (const PlotItem& item : drawing.items)
+    if (const auto* text = std::get_if<PlotText>(&item)) {
+      views += text->text == "view";
+      mirrors += text->text == "mirror";
+    }
+  EXPECT_EQ(views, 1);
+  EXPECT_EQ(mirrors, 1);
+}
+
 TEST_F(Plots, AFaultOfAModelStopsNoOther) {
   const auto broken = parseModel("broken.glsl", "/*glint {\"id\": \"broken\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\nfloat x() { return y; }");
   ASSERT_TRUE(broken);
