@@ -1,4 +1,6 @@
 // What the compared models are made of, in curves: terms, lobes, albedos and slices, computed on the render thread.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/editor/editor.h"
@@ -7,6 +9,7 @@
 #include "app/panels/panel.h"
 #include "app/panels/plot_canvas.h"
 #include "materials/attributes.h"
+#include "materials/graph_compile.h"
 
 namespace glint {
 namespace {
@@ -22,6 +25,7 @@ class AnalysisPanel final : public Panel {
     const bool beside = room.x > 2.2f * wide;
     if (beside) ImGui::BeginChild("controls", {wide, 0});
     drawControls();
+    sayWhose(editor);
     const float below = ImGui::GetCursorScreenPos().y;
     if (beside) ImGui::EndChild();
     post(editor);
@@ -116,21 +120,57 @@ class AnalysisPanel final : public Panel {
   void post(Editor& editor) {
     std::vector<PlotSubject> subjects;
     for (const std::string& id : editor.document().preview().models)
-      if (ModelPtr model = editor.models().find(id)) subjects.push_back({model, {}, model->title});
+      if (ModelPtr model = editor.models().find(id)) subjects.push_back(subjectOf(editor, std::move(model)));
     const auto same = [](const PlotSubject& a, const PlotSubject& b) { return a.model == b.model; };
     const bool models = std::equal(subjects.begin(), subjects.end(), subjects_.begin(), subjects_.end(), same);
+    const bool values = models && std::equal(subjects.begin(), subjects.end(), subjects_.begin(),
+                                             [](const PlotSubject& a, const PlotSubject& b) { return a.parameters == b.parameters; });
     const bool dragging = ImGui::IsMouseDown(0) && ImGui::IsAnyItemActive();
-    if (models && posted_ == settings_ && !(coarse_ && !dragging)) return;
+    if (values && posted_ == settings_ && !(coarse_ && !dragging)) return;
     if (!models) {
       hidden_.clear();
-      subjects_ = subjects;
       firstOfModels_ = serial_ + 1;
     }
+    subjects_ = subjects;
     posted_ = settings_;
     coarse_ = dragging;
     if (!subjects.empty()) editor.render().postPlot({++serial_, settings_, std::move(subjects), dragging});
   }
 
+  // The material's own model has the values that the material gives its parameters, others their defaults.
+  PlotSubject subjectOf(Editor& editor, ModelPtr model) {
+    PlotSubject subject{model, {}, model->title};
+    const Material& material = editor.document().material();
+    if (model->id != material.model || model->parameters.empty()) return subject;
+    if (compiledRevision_ != editor.document().graphRevision() || compiledFor_ != model) {
+      compiledRevision_ = editor.document().graphRevision();
+      compiledFor_ = model;
+      values_.clear();
+      if (const auto compiled = compileMaterial(material, *model, editor.nodes(), editor.functions())) {
+        values_ = compiled->modelParameters;
+        const std::vector<Value> now = compiled->modelParameterValues();
+        for (size_t i = 0; i < values_.size(); ++i) values_[i].value = now[i];
+      }
+    }
+    for (const ModelParameterSource& source : values_) {
+      const ModelParameter* parameter = model->parameter(source.name);
+      if (!parameter || source.varies || source.value == parameter->standard) continue;
+      subject.parameters.emplace_back(source.name, source.value);
+      subject.title += fmt::format(", {} {}", parameter->title.empty() ? source.name : parameter->title, valueText(source.value));
+    }
+    return subject;
+  }
+  // Says whose values the parameters have.
+  void sayWhose(Editor& editor) {
+    const Material& material = editor.document().material();
+    for (const PlotSubject& subject : subjects_)
+      if (subject.model->id == material.model && !subject.model->parameters.empty())
+        ui::textDim(fmt::format("{} has this material's parameters, other models their own.", subject.model->title).c_str());
+  }
+
+  std::optional<uint64_t> compiledRevision_;
+  ModelPtr compiledFor_;
+  std::vector<ModelParameterSource> values_;
   PlotSettings settings_;
   std::optional<PlotSettings> posted_;
   std::vector<PlotSubject> subjects_;

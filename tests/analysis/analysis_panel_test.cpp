@@ -1,6 +1,7 @@
 // The Analysis panel as a person uses it: kinds, sliders, hovering, the legend, wheel and drag.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "app/editor/ui_driver.h"
@@ -77,6 +78,24 @@ TEST_F(AnalysisPanelTest, HoveringReadsValuesThatFollowTheSliders) {
   ui().move(within(0.62f, 0.5f));
   EXPECT_GT(std::abs(reading(kGgx) - before), 0.01);
   ASSERT_TRUE(writeImage8(std::filesystem::path(GLINT_TESTS_OUT) / "analysis.png", ui().screenshot()).empty());
+}
+
+// The material's own model is plotted as the material has it.
+TEST_F(AnalysisPanelTest, TheMaterialsModelHasItsParameters) {
+  Document& document = ui().editor().document();
+  Preview preview = document.preview();
+  preview.models = {"burley", "ggx"};
+  Material material = newMaterial("trial", "burley");
+  material.modelParameters["gamma"] = Value::scalar(3);
+  document.startNew(material, preview);
+  ASSERT_TRUE(ui().settle());
+  choose("Plot", "D: distribution");
+  ui().move(within(0.51f, 0.5f));
+  EXPECT_TRUE(std::isfinite(reading("Burley (GTR), Tail (gamma) 3")));
+  ASSERT_TRUE(writeImage8(std::filesystem::path(GLINT_TESTS_OUT) / "analysis-own.png", ui().screenshot()).empty());
+  preview.models = {"ggx", "beckmann"};
+  document.startNew(newMaterial("trial"), preview);
+  ASSERT_TRUE(ui().settle());
 }
 
 TEST_F(AnalysisPanelTest, AnEntryOfTheLegendHidesItsModel) {
