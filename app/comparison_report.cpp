@@ -21,6 +21,7 @@ table { border-collapse: collapse; } td, th { padding: 3px 18px 3px 0; text-alig
 th { color: #9699a1; font-weight: 400; } dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 18px; } dd { margin: 0; overflow-wrap: anywhere; }
 .badge { display: inline-block; width: 1.35em; height: 1.35em; border-radius: 50%; text-align: center; font: 700 12px/1.35em Inter, sans-serif; color: #16171a; margin-right: 8px; }
 .green { background: #7eb668; } .amber { background: #e2b852; } .red { background: #e85c50; }
+.plots { display: flex; flex-wrap: wrap; gap: 18px; }
 details { margin: 6px 0; } summary { cursor: pointer; } details table { margin: 6px 0 14px 28px; font-size: 14px; } .where { color: #9699a1; }
 )";
 
@@ -42,7 +43,8 @@ std::string cardOf(const ModelHealth& card) {
 
 Result<std::string> comparisonReport(const std::string& title, std::span<const SheetRow> rows, const SheetText& text,
                                      const std::string& against, std::span<const ReportNumbers> numbers,
-                                     std::span<const ModelHealth> health, const std::map<std::string, std::string>& notes) {
+                                     std::span<const ModelHealth> health, std::span<const std::string> plots,
+                                     const std::map<std::string, std::string>& notes) {
   Diagnostics problems;
   const auto image = [&](const Image8& pixels) -> std::string {
     const auto png = codec::encodePng(pixels, {}, "--report");
@@ -79,6 +81,11 @@ Result<std::string> comparisonReport(const std::string& title, std::span<const S
   }
   if (!health.empty()) html += "<h2>Health of the models</h2>\n<p class=\"axis\">What physics asks of a model, measured on its own GLSL. Click for the whole card.</p>\n";
   for (const ModelHealth& card : health) html += cardOf(card);
+  if (!plots.empty()) {
+    html += "<h2>What the models are made of</h2>\n<div class=\"plots\">\n";
+    for (const std::string& plot : plots) html += plot;
+    html += "</div>\n";
+  }
   html += "<h2>Made by</h2>\n<dl>\n";
   for (const auto& [key, value] : notes) html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escapedMarkup(key), escapedMarkup(value));
   html += "</dl>\n</html>\n";

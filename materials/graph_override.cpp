@@ -39,7 +39,7 @@ Result<Value> overrideValue(const ShadingModel& model, const std::string& name, 
                  valueHint(type));
   const float least = attribute ? attribute->minimum : parameter->minimum, most = attribute ? attribute->most : parameter->maximum;
   if (!inRange(*value, least, most))
-    return error(fmt::format("'{}'", name), fmt::format("{} {} is out of range", name, glint::valueText(*value)),
+    return error(fmt::format("'{}'", name), fmt::format("{} {} is out of range{}", name, glint::valueText(*value), parameter ? fmt::format(" of model '{}'", model.id) : ""),
                  fmt::format("{} to {} are allowed", least, most));
   return *value;
 }
@@ -49,7 +49,7 @@ Diagnostics overrideAttribute(Material& material, const ShadingModel& model, con
   // A parameter of a .brdf goes by two names.
   const ModelParameter* known = model.parameter(wanted);
   const std::string& name = known ? known->name : wanted;
-  const auto value = overrideValue(model, name, valueText);
+  const auto value = overrideValue(model, wanted, valueText);
   if (!value) return value.diagnostics();
   const ModelParameter* parameter = model.parameter(name);
   const Attribute* attribute = parameter ? nullptr : findAttribute(name);

@@ -10,6 +10,7 @@
 #include "app/analysis/plot_settings.h"
 #include "app/command.h"
 #include "app/commands/compare_plot.h"
+#include "app/comparison_plots.h"
 #include "app/comparison_report.h"
 #include "app/comparison_sheet.h"
 #include "app/health_text.h"
@@ -408,7 +409,9 @@ int run(const Arguments& arguments) {
       for (const ComparisonRow& row : axes.rows)
         if (std::none_of(health.begin(), health.end(), [&](const ModelHealth& card) { return card.model == row.model->id; }))
           health.push_back(healthOf(*row.model));
-      const auto html = comparisonReport("Comparison of shading models", sheet.rows, sheet.text, plan->against ? plan->against->id : "", numbers, health, notes);
+      const auto plots = comparisonPlots(axes.rows);
+      if (!plots) return badInput(plots.diagnostics());
+      const auto html = comparisonReport("Comparison of shading models", sheet.rows, sheet.text, plan->against ? plan->against->id : "", numbers, health, *plots, notes);
       if (!html) return badInput(html.diagnostics());
       if (const Diagnostics faults = writeFileAtomic(plan->report, *html); !faults.empty()) return badInput(faults);
     }

@@ -81,7 +81,7 @@ ordered_json problemsJson(const Diagnostics& problems) {
 }
 
 void printModel(const ShadingModel& m, const ModelHealth* card) {
-  fmt::print("{:<16}{}\n", m.id, m.title);
+  fmt::print("{:<15} {}\n", m.id, m.title);
   if (card) fmt::print("{:<16}{}\n", "", inColor(card->verdict(), oneLine(*card)));
   if (!m.doc.empty()) fmt::print("{:<16}{}\n", "", m.doc);
   fmt::print("{:<16}{}\n", "", partsText(m));

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "app/command.h"
+#include "materials/base/files.h"
 #include "renderer/image_io.h"
 #include "tests/support/program.h"
 
@@ -163,6 +164,11 @@ TEST(Compare, SheetReportAndNumbers) {
   EXPECT_EQ(document["columns"], nlohmann::json({"0.2", "0.6"}));
   for (const auto& cell : document["differences"]) EXPECT_LT(cell["flip"].get<double>(), 0.2);
   EXPECT_EQ(filesIn(scratch()), (std::vector<std::string>{"page.html", "sheet.png"}));
+  const std::string page = *readFile(scratch() / "page.html");
+  for (const char* title : {"Distribution of normals D", "Visibility V", "Fresnel reflectance F", "Lobe in the plane of incidence", "Directional albedo"})
+    EXPECT_NE(page.find(title), std::string::npos) << title;
+  EXPECT_NE(page.find("Burley (GTR), gamma 2"), std::string::npos);
+  EXPECT_EQ(page.find("<?xml"), std::string::npos);
 }
 
 // The cells of one picture are what each would be alone: a model against itself has no difference.
@@ -195,7 +201,7 @@ TEST(Compare, BadInput) {
 TEST(Render, ValuesOutOfRangeAreRefusedOnTheCommandLine) {
   EXPECT_BAD_INPUT(glint({"render", "--set", "roughness=5", "-o", "out.png"}), "--set", "roughness 5 is out of range; 0 to 1 are allowed");
   EXPECT_BAD_INPUT(glint({"render", "--set", "roughness=abc", "-o", "out.png"}), "--set", "'abc' is not a float for roughness; write a number");
-  EXPECT_BAD_INPUT(glint({"compare", "--models", "burley:gamma=99", "-o", "out.png"}), "--models", "gamma 99 is out of range; 1 to 4 are allowed");
+  EXPECT_BAD_INPUT(glint({"compare", "--models", "burley:gamma=99", "-o", "out.png"}), "--models", "gamma 99 is out of range of model 'burley'; 1 to 4 are allowed");
   EXPECT_BAD_INPUT(glint({"compare", "--models", "ggx", "--sweep", "roughness=0..2:2", "-o", "out.png"}), "--sweep", "roughness 2 is out of range");
   EXPECT_BAD_INPUT(glint({"render", "--material", "painted-metal", "--set", "Rust=7", "-o", "out.png"}), "--set", "Rust 7 is out of range");
   EXPECT_TRUE(filesIn(scratch()).empty());

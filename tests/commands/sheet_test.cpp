@@ -62,11 +62,12 @@ TEST(Sheet, CutsNoTextAtAnySizeOfCell) {
 
 TEST(Report, IsOneFileAndEscapesWhatItIsTold) {
   const std::vector<SheetRow> rows = {{"<script>", "", {plain(8, 28)}, {}, false}};
-  const auto html = comparisonReport("<title> & \"more\"", rows, {"", {"a&b"}, "", 0}, "ggx", std::vector<ReportNumbers>{{"r", "c", 0.5, 0.25, 1}}, {}, {{"Command", "glint '<x>'"}});
+  const auto html = comparisonReport("<title> & \"more\"", rows, {"", {"a&b"}, "", 0}, "ggx", std::vector<ReportNumbers>{{"r", "c", 0.5, 0.25, 1}}, {}, std::vector<std::string>{"<svg></svg>"}, {{"Command", "glint '<x>'"}});
   ASSERT_TRUE(html);
   EXPECT_EQ(html->find("<script"), std::string::npos);
   EXPECT_NE(html->find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
   EXPECT_NE(html->find("a&amp;b"), std::string::npos);
+  EXPECT_NE(html->find("<svg></svg>"), std::string::npos);
   EXPECT_EQ(html->find("http"), std::string::npos);
 }
 
