@@ -77,9 +77,11 @@ const Command* findCommand(const std::string& name) {
   return nullptr;
 }
 
-// The index of the first word that is not a common option or its value; the count when there is none.
+// The index of the first word that is not a common option or its value, or of a `--`, after which all are files; the count
+// when there is none.
 size_t firstWord(const std::vector<std::string>& words) {
   for (size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--") return i;
     if (words[i].empty() || words[i][0] != '-') return i;
     for (const Option& option : commonOptions())
       if (!option.argument.empty() && words[i] == option.name) ++i;
@@ -171,7 +173,7 @@ Result<Parsed> parse(std::vector<std::string> words) {
   const bool asksAboutGlint = std::any_of(words.begin(), words.end(), isHelpOrVersion);
   const size_t first = firstWord(words);
   const bool named = first < words.size() && findCommand(words[first]);
-  if (!named && first < words.size() && !looksLikeFile(words[first])) {
+  if (!named && first < words.size() && words[first] != "--" && !looksLikeFile(words[first])) {
     // After a misspelt option its value looks like a command.
     for (size_t i = 0; i < first; ++i)
       if (words[i][0] == '-' && !isOptionOf(commonOptions(), words[i]) && !isHelpOrVersion(words[i]))
@@ -287,7 +289,8 @@ int badInput(const Diagnostics& diagnostics) {
 int runCommandLine(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed reader is a failed write, not a death in the middle of a file
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
+  const auto files = std::find(words.begin(), words.end(), "--");
+  const bool json = std::find(words.begin(), files, "--json") != files;
   std::string commandLine = "glint";
   for (const std::string& word : words) commandLine += " " + shellWord(word);
 

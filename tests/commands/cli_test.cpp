@@ -176,5 +176,14 @@ TEST(CommandLine, ARepeatableOptionLeavesTheFileAlone) {
   EXPECT_NE(ran.err.find("nowhere.glb: no such file"), std::string::npos) << ran.err;
 }
 
+// After `--` all words are files, whatever they begin with.
+TEST(CommandLine, FilesThatBeginWithADash) {
+  const auto ran = glint({"diff", "--", "-lost.png", "--json"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.out, "") << "that is no option there";
+  EXPECT_EQ(ran.err.rfind("glint: error: -lost.png: ", 0), 0u) << ran.err;
+  EXPECT_BAD_INPUT(glint({"--quiet", "--", "-lost.glb"}), "-lost.glb", "no such file");
+}
+
 }  // namespace
 }  // namespace glint
