@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -26,7 +27,8 @@ class EditorTest : public testing::Test {
     driver_.reset();
     context_.reset();
   }
-  static std::filesystem::path folder() { return std::filesystem::path(GLINT_TESTS_OUT) / "editor"; }
+  // Of this process alone: several executables have such tests, and run at once.
+  static std::filesystem::path folder() { return std::filesystem::path(GLINT_TESTS_OUT) / program_invocation_short_name; }
 
   UiDriver& ui() { return *driver_; }
   Document& document() { return driver_->editor().document(); }
