@@ -20,6 +20,8 @@ class Bounder {
     if (!found_) return std::nullopt;
     return std::move(out_);
   }
+  // Where in the text the deepest loop begins; after run().
+  size_t deepest() const { return deepestAt_; }
 
  private:
   void copyTo(size_t end) {
@@ -40,6 +42,7 @@ class Bounder {
     if (isNameChar(c))
       while (end < text_.size() && isNameChar(text_[end])) ++end;
     const std::string_view word = text_.substr(at_, end - at_);
+    wordAt_ = at_;
     copyTo(end);
     take(word);
     previous_ = word;
@@ -50,11 +53,13 @@ class Bounder {
     if (word == "}") --depth_;
     if (word == "do") {
       does_.push_back(depth_);
+      begins(depth_);
       stop();
     } else if (word == "while" && !does_.empty() && does_.back() == depth_ && (previous_ == "}" || previous_ == ";")) {
       does_.pop_back();  // of this `do`
     } else if (word == "for" || word == "while") {
       headers_.push_back(brackets_);
+      begins(depth_);
     } else if (word == "(") {
       ++brackets_;
     } else if (word == ")") {
@@ -66,6 +71,12 @@ class Bounder {
     }
   }
 
+  void begins(int depth) {
+    if (depth <= deepest_) return;
+    deepest_ = depth;
+    deepestAt_ = wordAt_;
+  }
+
   void stop() {
     out_ += stop_;
     found_ = true;
@@ -73,7 +84,8 @@ class Bounder {
 
   std::string_view text_, previous_;
   std::string stop_, out_;
-  size_t at_ = 0;
+  size_t at_ = 0, wordAt_ = 0, deepestAt_ = 0;
+  int deepest_ = -1;                 // how many braces were open before the loop at deepestAt_
   int depth_ = 0, brackets_ = 0;
   std::vector<int> does_, headers_;  // how many braces, or brackets, were open before each
   bool found_ = false;
@@ -82,5 +94,11 @@ class Bounder {
 }  // namespace
 
 std::optional<std::string> withBoundedLoops(std::string_view text, std::string_view ends) { return Bounder(text, ends).run(); }
+
+std::optional<int> lineOfDeepestLoop(std::string_view text) {
+  Bounder bounder(text, "");
+  if (!bounder.run()) return std::nullopt;
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bounder.deepest()), '\n'));
+}
 
 }  // namespace glint

@@ -12,4 +12,7 @@ namespace glint {
 // Nothing when the text has no loop. The condition must stay true once it was.
 std::optional<std::string> withBoundedLoops(std::string_view text, std::string_view ends);
 
+// The line, from 1, of the loop that lies within the most others, or of the first of them; nothing without a loop.
+std::optional<int> lineOfDeepestLoop(std::string_view text);
+
 }  // namespace glint

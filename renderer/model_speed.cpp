@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "materials/glsl_loops.h"
 #include "renderer/gl/gl.h"
 #include "renderer/gl/software.h"
 
@@ -39,9 +40,11 @@ std::optional<Diagnostic> faultOfSpeed(const ShadingModel& model, const std::fun
     const double most = std::max(kOverhead, count * evaluations * kValue);
     double fastest = 1e9;
     for (int attempt = 0; attempt < 8 && fastest > most; ++attempt) fastest = std::min(fastest, secondsOf(evaluate, count, software));
-    if (fastest > most)
-      return error((model.sourceFile.empty() ? model.file : model.sourceFile).string(),
-                   fmt::format("takes {:.1f} ms for {} values", 1000 * fastest, count * evaluations), "a picture asks for millions: shorten its loops");
+    if (fastest > most) {
+      std::string place = (model.sourceFile.empty() ? model.file : model.sourceFile).string();
+      if (const auto line = lineOfDeepestLoop(model.source)) place += fmt::format(":{}", *line);
+      return error(place, fmt::format("takes {:.1f} ms for {} values", 1000 * fastest, count * evaluations), "a picture asks for millions: shorten its loops");
+    }
   }
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "materials/glsl_loops.h"
 #include "materials/glsl_scan.h"
 #include "materials/model.h"
 #include "materials/terms.h"
@@ -343,6 +344,13 @@ TEST(ModelHead, FuzzedFilesAreAnswered) {
       for (const Diagnostic& d : model.diagnostics()) EXPECT_EQ(d.place.substr(0, 6), "m.glsl") << d.text();
     }
   }
+}
+
+// Where a model that takes too long has most of its work: the loop within the most others, not the `while` of a `do`.
+TEST(Loops, TheDeepestIsFound) {
+  EXPECT_EQ(lineOfDeepestLoop("float f() { return 1.0; }"), std::nullopt);
+  EXPECT_EQ(lineOfDeepestLoop("// for (;;)\nfloat f() {\n  while (x < 3.0) x += 1.0;\n  return x;\n}\n"), 3);
+  EXPECT_EQ(lineOfDeepestLoop("void f() {\n  do { x++; } while (x < 3);\n  for (;;) {\n    for (;;) {\n      while (y) y--;\n    }\n  }\n}\n"), 5);
 }
 
 }  // namespace
