@@ -120,7 +120,7 @@ std::vector<Option> sceneOptionTable() {
       {"--env-rotation", "DEG", "turns the environment about +Y"},
       {"--env-intensity", "X", "multiplies the environment"},
       {"--light", "KIND:K=V,..", lightHelp(), true},
-      {"--area-lights", "NAME", "how lights with a surface are drawn: notes (factor 3), unreal (factor 2, the default), specular-d or plain"},
+      {"--area-lights", "NAME", "how lights with a surface are drawn: cosines (linearly transformed, the default), or by representative points: notes (factor 3), unreal (factor 2), specular-d or plain"},
       {"--camera", "K=V,..", "eye=x/y/z, target=x/y/z, fov=DEG or ortho=HEIGHT"},
       {"--background", "WHAT", "env, blur, none or a colour (r/g/b linear, #rrggbb)"},
       {"--size", "WxH", fmt::format("of the picture, up to {0}x{0}", kLargestPictureSide)},

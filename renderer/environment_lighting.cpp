@@ -127,11 +127,9 @@ GLuint EnvironmentLighting::whiteIrradiance() {
   return whiteHarmonics_.id();
 }
 
-namespace {
+std::vector<std::string> definesOf(Lobe lobe) { return lobe == Lobe::Coat ? std::vector<std::string>{"COAT"} : std::vector<std::string>{}; }
 
-std::vector<std::string> definesOf(Lobe lobe) {
-  return lobe == Lobe::Coat ? std::vector<std::string>{"COAT"} : std::vector<std::string>{};
-}
+namespace {
 
 uint64_t keyOf(const ModelSetting& setting, Lobe lobe) { return tableKey(setting) ^ static_cast<uint64_t>(lobe); }
 

@@ -24,6 +24,8 @@ namespace glint {
 
 // The specular part without a coat, or the coat (model.h).
 enum class Lobe { Base, Coat };
+// Of programs that hold a model, for which of its lobes is its modelLobe().
+std::vector<std::string> definesOf(Lobe);
 
 // Coarse ones take an eighth of the time and show a little noise and blur: for a first picture. They are made only of
 // what is not at hand, and never kept on disk.

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "materials/base/check.h"
+
 namespace glint {
 namespace {
 
@@ -41,7 +43,7 @@ void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vec
   }
 }
 
-LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span<const Light> lights, size_t pointCount, glm::ivec4 rectangle) {
+LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
   const int columns = (rectangle.z + side - 1) / side, rows = (rectangle.w + side - 1) / side;
   const size_t words = (lights.size() + 63) / 64;
   std::vector<uint64_t> masks(static_cast<size_t>(columns * rows) * words);
@@ -74,28 +76,30 @@ LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span
     for (int x = 0; x < columns; ++x) {
       const size_t tile = static_cast<size_t>(y * columns + x);
       if (!touched[tile]) continue;
-      int32_t points = 0, placed = 0;
+      int32_t counts[6] = {};
       for (size_t w = 0; w < words; ++w)
         for (uint64_t bits = masks[tile * words + w]; bits; bits &= bits - 1) {
           const size_t light = w * 64 + static_cast<size_t>(std::countr_zero(bits));
           result.list.push_back(static_cast<uint32_t>(light));
-          ++(light < pointCount ? points : placed);
+          ++counts[static_cast<size_t>(lights[light].kind)];
         }
       result.tiles.push_back({rectangle.x + x * side, rectangle.y + y * side,
                               rectangle.x + std::min((x + 1) * side, rectangle.z),
-                              rectangle.y + std::min((y + 1) * side, rectangle.w), static_cast<int32_t>(result.texels), points, placed});
-      result.texels += static_cast<size_t>(points * kPointTexels + placed * kPlacedTexels);
+                              rectangle.y + std::min((y + 1) * side, rectangle.w), static_cast<int32_t>(result.texels), counts[1], counts[2] | counts[3] << 16,
+                              counts[4] | counts[5] << 16});
+      result.texels += static_cast<size_t>(counts[1] * kPointTexels + (counts[2] + counts[3] + counts[4] + counts[5]) * kPlacedTexels);
     }
   return result;
 }
 
 }  // namespace
 
-LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, size_t points, glm::ivec4 rectangle) {
+LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
+  GLINT_CHECK(lights.size() < 65536, "{} lights", lights.size());
   // Small tiles pay when there are many lights to keep apart (measured on software GL: 64 pixels wins for 128
   // lights, 32 for 1024). Larger ones bound the memory where most lights reach everything.
   for (int side = lights.size() > 256 ? 32 : 64;; side *= 2) {
-    LightTiles tiles = tilesOf(side, clusters, lights, points, rectangle);
+    LightTiles tiles = tilesOf(side, clusters, lights, rectangle);
     if (tiles.texels <= kMostLightTexels || side >= std::max(rectangle.z, rectangle.w)) return tiles;
   }
 }

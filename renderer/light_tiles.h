@@ -23,7 +23,8 @@ struct VisibleCluster {
 struct Tile {
   int32_t x0, y0, x1, y1;    // pixels of the target
   int32_t first;             // texel of its first light on the device
-  int32_t points, placed;    // point lights, then those of other kinds
+  int32_t points;            // point lights, and then of each other kind, two to a number, the first in the low half:
+  int32_t spotsAndSpheres, tubesAndRectangles;
 };
 
 struct LightTiles {
@@ -35,9 +36,8 @@ struct LightTiles {
 // On the device: PointBlock and PlacedBlock of renderer/prepared_view.h.
 inline constexpr int32_t kPointTexels = 2, kPlacedTexels = 5;
 
-// `rectangle` is x, y, width, height in pixels. Of the lights the first `points` are point lights, the others have a place
-// and another shape. The lists stay below kMostLightTexels, or below what all lights take once where that is more.
+// `rectangle` is x, y, width, height in pixels. The lights are in the order of their kinds, none directional. The lists stay below kMostLightTexels, or below what all lights take once where that is more.
 inline constexpr size_t kMostLightTexels = 256 * 1024;   // 4 MiB
-LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> lights, size_t points, glm::ivec4 rectangle);
+LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> lights, glm::ivec4 rectangle);
 
 }  // namespace glint

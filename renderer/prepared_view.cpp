@@ -153,14 +153,14 @@ LightKind shapeOf(const Light& light) {
   return light.kind;
 }
 
-PlacedBlock placedBlock(const Light& light, LightKind kind, const PointBlock& point) {
+PlacedBlock placedBlock(const Light& light, const PointBlock& point) {
   glm::vec3 right, up;
   acrossAxis(light, right, up);
-  PlacedBlock block{point.position, point.intensity, glm::vec4(light.axis, static_cast<float>(kind)), glm::vec4(right, 0), {}};
-  if (kind == LightKind::Sphere) block.extent = {light.size, 0, 0, 0};
-  if (kind == LightKind::Tube) block.extent = {std::max(light.size, kSmallest), 0.5f * light.length, 0, 0};
-  if (kind == LightKind::Rectangle) block.extent = {0.5f * std::max(light.width, kSmallest), 0.5f * std::max(light.height, kSmallest), 0, 0};
-  if (kind == LightKind::Spot) {
+  PlacedBlock block{point.position, point.intensity, glm::vec4(light.axis, 0), glm::vec4(right, 0), {}};
+  if (light.kind == LightKind::Sphere) block.extent = {light.size, 0, 0, 0};
+  if (light.kind == LightKind::Tube) block.extent = {std::max(light.size, kSmallest), 0.5f * light.length, 0, 0};
+  if (light.kind == LightKind::Rectangle) block.extent = {0.5f * std::max(light.width, kSmallest), 0.5f * std::max(light.height, kSmallest), 0, 0};
+  if (light.kind == LightKind::Spot) {
     const float outer = std::cos(light.outerAngle), inner = std::cos(std::min(light.innerAngle, light.outerAngle));
     const float scale = 1 / std::max(inner - outer, 1e-3f);
     block.extent = {scale, -outer * scale, 0, 0};
@@ -206,7 +206,7 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   block.exposureScale = exposureScale;
   block.environmentLevels = static_cast<float>(environmentLevels);
 
-  std::vector<Light> points, placed;
+  std::vector<Light> reaching;
   for (const Light& light : scene.lights) {
     if (light.kind == LightKind::Directional) {
       if (prepared.directional.size() == kMostDirectionalLights) {
@@ -215,20 +215,17 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
       }
       prepared.directional.push_back({glm::vec4(glm::normalize(light.direction), 0), glm::vec4(light.color * light.lux, 0)});
     } else if (light.radius > 0) {
-      const LightKind kind = shapeOf(light);
-      const PointBlock point{glm::vec4(light.position, 1 / (light.radius * light.radius)), glm::vec4(light.color * light.candela, light.constant)};
-      if (kind == LightKind::Point) {
-        points.push_back(light);
-        prepared.points.push_back(point);
-      } else {
-        placed.push_back(light);
-        prepared.placed.push_back(placedBlock(light, kind, point));
-      }
+      reaching.push_back(light);
+      reaching.back().kind = shapeOf(light);
     }
   }
-  const size_t pointCount = points.size();
-  std::vector<Light>& reaching = points;
-  reaching.insert(reaching.end(), placed.begin(), placed.end());
+  std::stable_sort(reaching.begin(), reaching.end(), [](const Light& a, const Light& b) { return a.kind < b.kind; });
+  for (const Light& light : reaching) {
+    prepared.kinds |= 1u << static_cast<unsigned>(light.kind);
+    const PointBlock point{glm::vec4(light.position, 1 / (light.radius * light.radius)), glm::vec4(light.color * light.candela, light.constant)};
+    if (light.kind == LightKind::Point) prepared.points.push_back(point);
+    else prepared.placed.push_back(placedBlock(light, point));
+  }
   block.directionalCount = static_cast<int32_t>(prepared.directional.size());
 
   std::vector<std::vector<VisibleCluster>> visible(groups);
@@ -287,9 +284,9 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   for (size_t g = 0; g < groups; ++g) {
     const glm::ivec4 r = covered[g];
     if (!reaching.empty())
-      prepared.tiles.push_back(buildLightTiles(visible[g], reaching, pointCount, view.rectangle));
+      prepared.tiles.push_back(buildLightTiles(visible[g], reaching, view.rectangle));
     else if (r.z > r.x)
-      prepared.tiles.push_back({{{r.x, r.y, r.z, r.w, 0, 0, 0}}, {}, 0});
+      prepared.tiles.push_back({{{r.x, r.y, r.z, r.w, 0, 0, 0, 0}}, {}, 0});
     else
       prepared.tiles.emplace_back();
   }

@@ -36,7 +36,7 @@ static_assert(sizeof(PointBlock) == kPointTexels * 16);
 // PlacedLight of shaders/common/lights.glsl.
 struct PlacedBlock {
   glm::vec4 position, intensity;   // as of a point light
-  glm::vec4 axis, right;           // w: the kind
+  glm::vec4 axis, right;
   glm::vec4 extent;
 };
 static_assert(sizeof(PlacedBlock) == kPlacedTexels * 16);
@@ -58,7 +58,8 @@ struct PreparedView {
   std::vector<PreparedInstance> instances;
   std::vector<DirectionalBlock> directional;
   std::vector<PointBlock> points;
-  std::vector<PlacedBlock> placed;
+  std::vector<PlacedBlock> placed;   // by kind
+  uint32_t kinds = 0;                // bits by LightKind of those with a place
   // By light group: where its surfaces may be, with the lights that reach them: indices into the points, and then the
   // placed. Without such lights one rectangle each.
   std::vector<LightTiles> tiles;

@@ -7,7 +7,7 @@ Rectangles::Rectangles() : array_(gl::createVertexArray()) {
   one_ = gl::createBuffer(std::as_bytes(std::span(&none, 1)));
   for (GLuint i = 0; i < 2; ++i) {
     glEnableVertexArrayAttrib(array_.id(), i);
-    glVertexArrayAttribIFormat(array_.id(), i, i == 0 ? 4 : 3, GL_INT, i == 0 ? 0 : 16);
+    glVertexArrayAttribIFormat(array_.id(), i, 4, GL_INT, i == 0 ? 0 : 16);
     glVertexArrayAttribBinding(array_.id(), i, 0);
   }
   glVertexArrayBindingDivisor(array_.id(), 0, 1);
@@ -35,7 +35,7 @@ void Rectangles::drawWhole(const gl::Program& program, GLuint framebuffer, glm::
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  draw(program, size, Tile{0, 0, size.x, size.y, 0, 0, 0});
+  draw(program, size, Tile{0, 0, size.x, size.y, 0, 0, 0, 0});
 }
 
 }  // namespace glint

@@ -42,6 +42,7 @@ struct Renderer::State {
     frame.optional = {};
     meshes.forgetUnused();
     gbufferPass.forgetUnused();
+    lightingPass.forgetUnused();
     programs.forgetUnused();
     lighting.forgetUnused();
     statistics = {};
@@ -174,7 +175,7 @@ struct Renderer::State {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glEnable(GL_FRAMEBUFFER_SRGB);
-    frame.rectangles.draw(program, frame.size(), Tile{0, 0, frame.size().x, frame.size().y, 0, 0, 0});
+    frame.rectangles.draw(program, frame.size(), Tile{0, 0, frame.size().x, frame.size().y, 0, 0, 0, 0});
   }
 
   Frame frame;
@@ -185,7 +186,7 @@ struct Renderer::State {
   LightLists lists;
   GbufferPass gbufferPass{programs};
   BackgroundPass backgroundPass{programs, lighting};
-  LightingPass lightingPass{programs, lighting, backgroundPass};
+  LightingPass lightingPass{programs, frame.rectangles, lighting, backgroundPass};
   BufferViewPass bufferViewPass{programs};
   int accumulated = 0;
   FrameTargets::Picture* picture = nullptr;

@@ -18,8 +18,9 @@ class EnvironmentLighting;
 enum class Tonemap { None, Aces, AgX, PbrNeutral };
 // How lights with a surface are drawn (shaders/common/lights.glsl): by representative points whose lobe is made weaker with
 // the notes' factor 3 (Karis 2013, eq. 10 and 14) or Unreal's 2, with D widened instead ("Specular D modification"), or as
-// it is.
-enum class AreaLights { Notes = 1, Unreal, SpecularD, Plain };
+// it is; or by linearly transformed cosines (renderer/area_light_tables.h), where a model's lobe is the same all around and
+// apart from its diffuse part, else as Unreal's.
+enum class AreaLights { Notes = 1, Unreal, SpecularD, Plain, Cosines };
 struct AreaLightsInfo {
   AreaLights method;
   const char* id;        // "notes"
@@ -54,7 +55,7 @@ struct RenderSettings {
   glm::vec3 backgroundColor{0};                // linear
   // What bounces among facets more than once is given back (renderer/model_tables.h), also by models that do not ask for it.
   bool compensate = false;
-  AreaLights areaLights = AreaLights::Unreal;
+  AreaLights areaLights = AreaLights::Cosines;
   int samples = 1;                             // jittered frames averaged, >= 1
   // What an environment does to a model may be coarse where it would have to be made first: for a picture now. See
   // Renderer::refineTable().

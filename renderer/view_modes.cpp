@@ -25,6 +25,7 @@ std::span<const ViewMode> viewModes() {
 
 std::span<const AreaLightsInfo> areaLightMethods() {
   static constexpr AreaLightsInfo kMethods[] = {
+      {AreaLights::Cosines, "cosines", "Transformed cosines", "The shape itself, through a cosine lobe that is turned into the model's (Heitz and others 2016), fitted by Glint"},
       {AreaLights::Notes, "notes", "Notes", "The nearest point of the light to the reflected ray, its lobe weaker by the notes' factor 3 (Karis 2013, eq. 10 and 14)"},
       {AreaLights::Unreal, "unreal", "Unreal", "The same with the factor 2 that Unreal ships, which is right for smooth surfaces"},
       {AreaLights::SpecularD, "specular-d", "Specular D", "The middle of the light, with the distribution alone made wider"},

@@ -21,11 +21,11 @@ void draw(BenchSetup& setup, const Scene& scene) {
   setup.renderer().drawToTexture({&view, 1}, kStandardSize, plainSettings());
 }
 
-Result<Scene> litScene(BenchSetup& setup, const std::vector<ModelPtr>& models, bool sun, bool environment, int points) {
+Result<Scene> litScene(BenchSetup& setup, const std::vector<ModelPtr>& models, bool sun, bool environment, int points, LightKind kind = LightKind::Point) {
   auto scene = standardScene(models, setup.libraries);
   if (!scene) return scene;
   if (sun) scene->lights.push_back(standardSun());
-  for (const Light& light : standardPointLights(points)) scene->lights.push_back(light);
+  for (const Light& light : standardLights(kind, points)) scene->lights.push_back(light);
   if (environment) {
     auto studio = loadEnvironment("studio");
     if (!studio) return studio.diagnostics();
@@ -34,11 +34,11 @@ Result<Scene> litScene(BenchSetup& setup, const std::vector<ModelPtr>& models, b
   return scene;
 }
 
-BenchCase frameCase(const std::string& name, const std::string& doc, bool sun, bool environment, int points) {
+BenchCase frameCase(const std::string& name, const std::string& doc, bool sun, bool environment, int points, LightKind kind = LightKind::Point) {
   return {name, doc, [=](BenchSetup& setup) -> Result<Measurement> {
             const auto model = plainModel(setup.libraries);
             if (!model) return model.diagnostics();
-            const auto scene = litScene(setup, {*model}, sun, environment, points);
+            const auto scene = litScene(setup, {*model}, sun, environment, points, kind);
             if (!scene) return scene.diagnostics();
             Measurement result = measure(name, setup.effort, [&] { draw(setup, *scene); });
             if (hasErrors(setup.renderer().problems())) return setup.renderer().problems();
@@ -74,6 +74,8 @@ std::vector<BenchCase> frameCases(const ModelRegistry& models) {
   cases.push_back(frameCase("frame.both", "under both", true, true, 0));
   for (const int count : {16, 128, 1024})
     cases.push_back(frameCase(fmt::format("frame.p{}", count), fmt::format("under {} point lights", count), false, false, count));
+  for (const LightKind kind : {LightKind::Spot, LightKind::Sphere, LightKind::Tube, LightKind::Rectangle})
+    cases.push_back(frameCase(fmt::format("frame.{}16", infoOf(kind).id), fmt::format("under 16 {} lights in the places of frame.p16", infoOf(kind).id), false, false, 16, kind));
   for (const ModelPtr& model : models.all())
     cases.push_back(lightingCase("model." + model->id, "the lighting pass alone with " + model->title + ", 16 point lights", {model}));
   // Of the shipped ones alone, so that the case is the same in every folder.

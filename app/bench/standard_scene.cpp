@@ -74,6 +74,17 @@ std::vector<Light> standardPointLights(int count) {
   return lights;
 }
 
+std::vector<Light> standardLights(LightKind kind, int count) {
+  std::vector<Light> lights = standardPointLights(count);
+  for (Light& light : lights) {
+    light.kind = kind;
+    light.axis = kind == LightKind::Tube ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, -1);
+    light.size = kind == LightKind::Tube ? 0.05f : 0.3f;
+    light.outerAngle = 1;
+  }
+  return lights;
+}
+
 Camera standardCamera() {
   Camera camera;
   camera.eye = {0, 0, 19};

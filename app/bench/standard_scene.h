@@ -27,6 +27,8 @@ std::vector<StandardSphere> standardSpheres();
 Light standardSun();
 // 16, 128 or 1024 of them: brighter and wider when they are few.
 std::vector<Light> standardPointLights(int count);
+// The same places, power and range as lights of another kind, which shine at the spheres.
+std::vector<Light> standardLights(LightKind, int count);
 
 Camera standardCamera();
 

@@ -36,7 +36,7 @@ void Frame::drawGroup(const gl::Program& program, const ReadyView& view, int gro
 void Frame::drawRectangle(const gl::Program& program, const ReadyView& view, int group) const {
   const glm::ivec4 r = view.view.rectangle;
   glStencilFunc(GL_EQUAL, group + 1, 0xff);
-  rectangles.draw(program, size(), Tile{r.x, r.y, r.x + r.z, r.y + r.w, 0, 0, 0});
+  rectangles.draw(program, size(), Tile{r.x, r.y, r.x + r.z, r.y + r.w, 0, 0, 0, 0});
 }
 
 void Frame::report(const Diagnostic& problem) {

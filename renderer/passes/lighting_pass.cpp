@@ -37,6 +37,8 @@ Diagnostics LightingPass::drawGroup(Frame& frame, LightLists& lists, const Ready
   std::vector<std::string> defines = frame.outputDefines();
   if (!furnace && !r.view.points.empty()) defines.push_back("POINT_LIGHTS");
   if (!furnace && !r.view.placed.empty()) defines.push_back(fmt::format("PLACED_LIGHTS {}", static_cast<int>(frame.settings.areaLights)));
+  for (const auto& [kind, define] : {std::pair{LightKind::Spot, "SPOT_LIGHTS"}, {LightKind::Sphere, "SPHERE_LIGHTS"}, {LightKind::Tube, "TUBE_LIGHTS"}, {LightKind::Rectangle, "RECTANGLE_LIGHTS"}})
+    if (!furnace && r.view.kinds >> static_cast<unsigned>(kind) & 1) defines.push_back(define);
   if (!furnace && frame.optional.emissive) defines.push_back("EMISSIVE");
   if (furnace) defines.push_back("FURNACE");
   if (frame.optional.parameters) defines.push_back("READS_PARAMETERS");
@@ -53,12 +55,19 @@ Diagnostics LightingPass::drawGroup(Frame& frame, LightLists& lists, const Ready
   const auto found = programs_.get(Rectangles::vertexShader(), {"shaders/passes/lighting.frag", defines, {{"model", group.setting.shader->glsl}}});
   if (!found) return modelErrors(model, found.diagnostics()[0].what);
   const gl::Program& program = **found;
+  GLuint areaTable = 0;
+  if (program.location("areaLightTable") >= 0) {
+    const auto table = areaLights_.of(group.setting);
+    if (!table) return modelErrors(model, table.diagnostics()[0].what);
+    areaTable = *table;
+  }
   const Diagnostics faults = lighting_.tables().apply(group.setting, program);
   GLINT_CHECK(faults.empty(), "a sound shader has tables");
   // Building tables changed the state.
   frame.beginRectangles();
   lists.bind(frame, r, group);
   if (surrounded) bind(around, model, program);
+  if (areaTable) glBindTextureUnit(10, areaTable);
   frame.drawGroup(program, r, static_cast<int>(index));
   return {};
 }

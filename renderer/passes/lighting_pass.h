@@ -1,6 +1,7 @@
 // Lights the G-buffer: for each view and light group one program, which holds that group's shading model.
 #pragma once
 
+#include "renderer/area_light_tables.h"
 #include "renderer/environment_lighting.h"
 #include "renderer/passes/background_pass.h"
 #include "renderer/passes/frame.h"
@@ -18,9 +19,10 @@ class LightLists {
 
 class LightingPass {
  public:
-  LightingPass(ProgramCache& programs, EnvironmentLighting& lighting, BackgroundPass& background)
-      : programs_(programs), lighting_(lighting), background_(background) {}
+  LightingPass(ProgramCache& programs, const Rectangles& rectangles, EnvironmentLighting& lighting, BackgroundPass& background)
+      : programs_(programs), lighting_(lighting), background_(background), areaLights_(programs, rectangles, lighting.tables(), true) {}
   void draw(Frame&, LightLists&);
+  void forgetUnused() { areaLights_.forgetUnused(); }
 
  private:
   // What an environment, or the white furnace, gives a group.
@@ -37,6 +39,7 @@ class LightingPass {
   ProgramCache& programs_;
   EnvironmentLighting& lighting_;
   BackgroundPass& background_;
+  AreaLightTables areaLights_;
 };
 
 }  // namespace glint

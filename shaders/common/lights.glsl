@@ -79,12 +79,12 @@ float sphereFormFactor(float cosine, float sine2) {
 }
 
 // Representative points (Karis 2013, p. 14 to 17), and how their lobes are made weaker: 1 the notes' eq. 10 with factor 3,
-// 2 Unreal's factor 2, 3 widened in D alone, 4 not at all.
+// 2 Unreal's factor 2, 3 widened in D alone, 4 not at all; others as 2.
 Arrival representativePoint(PlacedLight light, Shading s, int method) {
   Arrival a;
   a.widened = 0.0;
   vec3 ray = 2.0 * dot(s.N, s.V) * s.N - s.V;
-  float distance = length(light.center), factor = method == 2 ? 2.0 : 3.0, size = light.extent.x;
+  float distance = length(light.center), factor = method == 1 || method == 3 ? 3.0 : 2.0, size = light.extent.x;
   vec3 towards = light.center / distance, point = light.center;
   float scale = 1.0;
   if (light.kind == kSphereLight) {

@@ -2,7 +2,7 @@
 // Where no surface is: the environment, sharp or blurred, or one colour.
 #include "shaders/common/view.glsl"
 #include "shaders/common/output.glsl"
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 layout(binding = 6) uniform samplerCube environment;
 uniform vec4 background;   // rgb; a: 1 for the colour, 0 for the environment

@@ -2,7 +2,7 @@
 // One buffer of the G-buffer as a picture; renderer/view_modes.cpp has the list, in this order.
 #include "shaders/common/view.glsl"
 #include "shaders/common/gbuffer_read.glsl"
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 uniform int mode;
 uniform vec4 groupColors[256];  // by light group, linear
@@ -39,8 +39,10 @@ void main() {
 #endif
   if (mode == 10) c = shown(vec3(1.0 - 0.9 * texelFetch(gDepth, pixel, 0).r));
   if (mode == 11) {
-    float load = min(float(inLights.y + inLights.z) / 64.0, 1.0);
-    c = inLights.y + inLights.z == 0 ? vec3(0.0) : mix(vec3(0.0, 0.08, 0.4), vec3(1.0, 0.35, 0.0), load);
+    ivec4 placed = ivec4(inLights.zw & 0xffff, inLights.zw >> 16);
+    int lights = inLights.y + placed.x + placed.y + placed.z + placed.w;
+    float load = min(float(lights) / 64.0, 1.0);
+    c = lights == 0 ? vec3(0.0) : mix(vec3(0.0, 0.08, 0.4), vec3(1.0, 0.35, 0.0), load);
   }
 #ifndef SCENE_REFERRED
   c = clamp(c, 0.0, 1.0);

@@ -1,7 +1,7 @@
 #version 450 core
 // One face of a cube map from an equirectangular environment (product.md 1 has the orientation).
 #include "shaders/common/cube.glsl"
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 layout(binding = 0) uniform sampler2D equirect;
 uniform int face;

@@ -5,7 +5,7 @@
 #include "shaders/common/shading.glsl"
 #pragma glint model
 #include "shaders/common/floor_light.glsl"
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outScale;    // on F0
 layout(location = 1) out vec4 outBias;     // w: the largest albedo of facets that reflect all
 layout(location = 2) out vec4 outDiffuse;  // albedo of the diffuse part for diffuseColor 1

@@ -6,7 +6,7 @@
 #include "shaders/common/output.glsl"
 #pragma glint model
 
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 uniform vec4 standardParameters;  // where no material varies them
 uniform bool plainNonmetal;
@@ -91,13 +91,72 @@ layout(binding = 12) uniform sampler2D coatBrdf;
 #endif
 
 #ifdef PLACED_LIGHTS
+// AreaLights::Cosines of renderer/renderer.h, for models whose lobe is the same all around.
+#if PLACED_LIGHTS == 5 && !defined(MODEL_TANGENT) && !defined(MODEL_IS_WHOLE)
+#define COSINES
+#include "shaders/common/linearly_transformed_cosines.glsl"
+layout(binding = 10) uniform sampler2DArray areaLightTable;  // renderer/area_light_tables.h
+struct Reflection { CosineLobe lobe; vec3 reflected; };
+Reflection reflectionAt(Shading s, float roughness, float layer) {
+  vec2 size = vec2(textureSize(areaLightTable, 0).xy), at = (vec2(sqrt(max(1.0 - s.NoV, 0.0)), roughness) * (size - 1.0) + 0.5) / size;
+  return Reflection(cosineLobe(s.N, s.V, textureLod(areaLightTable, vec3(at, layer), 0.0)),
+                    s.F0 * textureLod(areaLightTable, vec3(at, layer + 1.0), 0.0).rgb + textureLod(areaLightTable, vec3(at, layer + 2.0), 0.0).rgb);
+}
+#endif
+
+// What of a surface is the same for all lights.
+struct Receiver {
+#ifdef COSINES
+  Reflection base;
+#ifdef MODEL_COAT
+  Reflection coat;
+#endif
+#endif
+  float unused;
+};
+Receiver receiver(Shading s, Parameters p) {
+  Receiver r;
+  r.unused = 0.0;
+#ifdef COSINES
+  r.base = reflectionAt(s, s.roughness, 0.0);
+#ifdef MODEL_COAT
+  r.coat = reflectionAt(s, clamp(modelCoatRoughness(p), 0.0, 1.0), 3.0);
+#endif
+#endif
+  return r;
+}
+
+PlacedLight placedLightAt(int texel, int kind, vec3 position) {
+  vec4 at = texelFetch(tileLights, texel);
+  return PlacedLight(kind, at.xyz - position, at.w, texelFetch(tileLights, texel + 1).w, texelFetch(tileLights, texel + 2).xyz,
+                     texelFetch(tileLights, texel + 3).xyz, texelFetch(tileLights, texel + 4).xy);
+}
+
 // What a model sends on of a light of 1 candela.
-vec3 placedLight(PlacedLight light, Shading s, Parameters p) {
+vec3 placedLight(PlacedLight light, Receiver receiver, Shading s, Parameters p) {
   float falloff = attenuation(light);
   if (falloff <= 0.0) return vec3(0.0);
+  vec3 lit = vec3(0.0);
+#ifdef COSINES
+  if (light.kind != kSpotLight) {
+    setLight(s, normalize(light.center));
+#ifdef MODEL_COAT
+    Seen seen = seenLight(light, s.N, receiver.base.lobe, receiver.coat.lobe);
+    vec3 specular = modelThroughCoat(s, p) * (receiver.base.reflected * seen.specular) + modelCoatStrength(p) * (receiver.coat.reflected * seen.coat);
+#else
+    Seen seen = seenLight(light, s.N, receiver.base.lobe, receiver.base.lobe);
+    vec3 specular = receiver.base.reflected * seen.specular;
+#endif
+    lit = max(specular, 0.0) / kPi + modelDiffuse(s, p) * seen.irradiance;
+#ifdef COMPENSATE
+    lit += glintFurtherBounces(s, p.glintBounces) * seen.irradiance;
+#endif
+    if (modelScatters) lit += modelScattered(s, p) / max(dot(light.center, light.center), 1e-12);
+    return lit * falloff;
+  }
+#endif
   Arrival arrival = representativePoint(light, s, PLACED_LIGHTS);
   setLight(s, arrival.specularL);
-  vec3 lit = vec3(0.0);
   if (dot(s.N, s.L) > 0.0) {
 #ifdef MODEL_IS_WHOLE
     lit = modelLit(s, p) * arrival.specular;
@@ -111,14 +170,11 @@ vec3 placedLight(PlacedLight light, Shading s, Parameters p) {
     }
 #endif
   }
-#ifndef MODEL_IS_WHOLE
   setLight(s, arrival.diffuseL);
+#ifndef MODEL_IS_WHOLE
   lit += modelDiffuse(s, p) * arrival.irradiance;
 #endif
-  if (modelScatters) {
-    setLight(s, arrival.diffuseL);
-    lit += modelScattered(s, p) / max(dot(light.center, light.center), 1e-12);
-  }
+  if (modelScatters) lit += modelScattered(s, p) / max(dot(light.center, light.center), 1e-12);
   return lit * falloff;
 }
 #endif
@@ -184,12 +240,23 @@ void main() {
   }
 #endif
 #ifdef PLACED_LIGHTS
-  for (int i = 0; i < inLights.z; ++i, texel += kPlacedLightTexels) {
-    vec4 at = texelFetch(tileLights, texel), intensity = texelFetch(tileLights, texel + 1), axis = texelFetch(tileLights, texel + 2);
-    PlacedLight light = PlacedLight(int(axis.w), at.xyz - position, at.w, intensity.w, axis.xyz, texelFetch(tileLights, texel + 3).xyz,
-                                    texelFetch(tileLights, texel + 4).xy);
-    radiance += placedLight(light, s, p) * intensity.rgb;
-  }
+  // A loop for each kind: software GL runs through all that a loop holds.
+  Receiver receiving = receiver(s, p);
+#define LIGHTS_OF_KIND(kind, count) \
+  for (int i = 0; i < (count); ++i, texel += kPlacedLightTexels) \
+    radiance += placedLight(placedLightAt(texel, kind, position), receiving, s, p) * texelFetch(tileLights, texel + 1).rgb;
+#ifdef SPOT_LIGHTS
+  LIGHTS_OF_KIND(kSpotLight, inLights.z & 0xffff)
+#endif
+#ifdef SPHERE_LIGHTS
+  LIGHTS_OF_KIND(kSphereLight, inLights.z >> 16)
+#endif
+#ifdef TUBE_LIGHTS
+  LIGHTS_OF_KIND(kTubeLight, inLights.w & 0xffff)
+#endif
+#ifdef RECTANGLE_LIGHTS
+  LIGHTS_OF_KIND(kRectangleLight, inLights.w >> 16)
+#endif
 #endif
 #ifdef ENVIRONMENT
   // Split sum (Karis 2013, eq. 7 and 8) with the model's own lobe and tables.

@@ -6,7 +6,7 @@
 #include "shaders/common/shading.glsl"
 #pragma glint model
 #include "shaders/common/floor_light.glsl"
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 uniform float width;
 uniform float roughnesses[16];

@@ -3,7 +3,7 @@
 // as directions drawn from it by renderer/lobe.cpp, each with the level whose texels are as large as the solid angle
 // it stands for (Krivanek and Colbert 2008), so that few samples see every texel.
 #include "shaders/common/cube.glsl"
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 layout(binding = 6) uniform samplerCube environment;
 layout(std140, binding = 4) uniform LobeSamples { vec4 lobeSamples[4096]; };  // xyz around +Z, w: level

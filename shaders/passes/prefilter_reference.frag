@@ -1,6 +1,6 @@
 #version 450 core
 // What shaders/passes/prefilter.frag approximates, for a row of directions and any number of samples.
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 layout(binding = 6) uniform samplerCube environment;
 layout(binding = 8) uniform samplerBuffer directions;   // unit, one a pixel

@@ -1,6 +1,6 @@
 #version 450 core
 // The average of the samples, into the picture.
-layout(location = 0) flat in ivec3 inLights;
+layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 layout(binding = 0) uniform sampler2D accumulated;
 uniform float scale;       // 1 / samples

@@ -84,7 +84,7 @@ TEST(LightTiles, ListEveryLightThatReachesASurface) {
     clusters.push_back(c);
   }
   const glm::ivec4 rectangle{10, 20, 300, 200};
-  const LightTiles tiles = buildLightTiles(clusters, lights, lights.size(), rectangle);
+  const LightTiles tiles = buildLightTiles(clusters, lights, rectangle);
   size_t wanted = 0;
   for (const VisibleCluster& c : clusters)
     for (size_t l = 0; l < lights.size(); ++l) {
@@ -114,7 +114,7 @@ TEST(LightTiles, MemoryIsBoundedWhereEveryLightReachesEverything) {
   VisibleCluster everything;
   everything.radius = 5;
   everything.pixels = {0, 0, 1280, 720};
-  const LightTiles tiles = buildLightTiles(std::span(&everything, 1), lights, lights.size(), {0, 0, 1280, 720});
+  const LightTiles tiles = buildLightTiles(std::span(&everything, 1), lights, {0, 0, 1280, 720});
   EXPECT_LE(tiles.texels, kMostLightTexels);
   // The tiles still cover every pixel once.
   int64_t area = 0;
