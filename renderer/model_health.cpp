@@ -31,6 +31,9 @@ const std::vector<float> kFineNoV = {0.005f, 0.01f, 0.02f, 0.05f, 0.1f, 0.2f, 0.
 const std::vector<float> kCoarseRoughness = {0.05f, 0.15f, 0.3f, 0.5f, 0.75f, 1.f};
 const std::vector<float> kCoarseNoV = {0.005f, 0.05f, 0.2f, 0.5f, 1.f};
 
+// A window of a fiftieth of the roughness has one of them.
+constexpr int kBetween = 64;
+
 class Examination {
  public:
   Examination(const ShadingModel& model, bool compensate, ModelHealth& card, const std::function<bool()>& stopped)
@@ -56,7 +59,7 @@ class Examination {
     constants_.clear();
     if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
     if (stopped()) return;
-    energy(*integrals, kFineRoughness, kFineNoV);
+    energy(*integrals, kFineRoughness, kFineNoV, kBetween);
     if (stopped()) return;
     if (!model_.isWhole()) mirror(*integrals);
     if (compensate_) {
@@ -191,16 +194,21 @@ class Examination {
     reciprocal.hint = reciprocal.claimed ? "drop the claim or mend the formula" : "";
   }
 
-  void energy(const ModelIntegrals& integrals, const std::vector<float>& roughness, const std::vector<float>& NoV) {
+  // Over a grid, and at `between` roughnesses evenly between its lines.
+  void energy(const ModelIntegrals& integrals, const std::vector<float>& roughness, const std::vector<float>& NoV, int between = 0) {
     std::vector<IntegralQuery> queries;
+    const auto ask = [&](float r, float v, bool light) {
+      // From all sides by turns, also such as a lobe that mirrors in both axes cannot tell apart.
+      constexpr float kDegrees[] = {0, 90, -35, 15, 75, 130, 48};
+      const float side = model_.usesTangent ? kDegrees[queries.size() % std::size(kDegrees)] : 0;
+      queries.push_back({.roughness = r, .NoV = v, .analyticLight = light, .azimuth = side / 180 * std::numbers::pi_v<float>});
+    };
+    if (model_.reads("roughness"))
+      for (int i = 0; i < between; ++i)
+        ask(roughness.front() + (1 - roughness.front()) * (float(i) + 0.5f) / float(between), NoV[size_t(i * 7) % NoV.size()], true);
     for (const bool light : {true, false})
       for (const float r : model_.reads("roughness") ? roughness : std::vector{0.5f})
-        for (const float v : NoV) {
-          // From all sides by turns, also such as a lobe that mirrors in both axes cannot tell apart.
-          constexpr float kDegrees[] = {0, 90, -35, 15, 75, 130, 48};
-          const float side = model_.usesTangent ? kDegrees[queries.size() % std::size(kDegrees)] : 0;
-          queries.push_back({.roughness = r, .NoV = v, .analyticLight = light, .azimuth = side / 180 * std::numbers::pi_v<float>});
-        }
+        for (const float v : NoV) ask(r, v, light);
     const std::vector<ModelIntegral> sums = integrals.evaluate(queries);
     // A specular part that does not follow F0 is never white. Where light grazes Fresnel hides it: the last query does not.
     const ModelIntegral& facing = sums.back();

@@ -143,6 +143,14 @@ TEST_F(Laws, FaultsInAWindow) {
               testing::HasSubstr("because of D (planted.glsl:2"));
 }
 
+// So is energy that is gained, or lost by the distribution, between two roughnesses alone.
+TEST_F(Laws, EnergyInAWindow) {
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) * (s.roughness > 0.31 && s.roughness < 0.33 ? 2.0 : 1.0); }"),
+              testing::ContainsRegex("red: gains energy.*roughness 0.3[123]"));
+  EXPECT_THAT(verdict(kVF, "float D(Shading s, Parameters p) { return D_GGX(s) * (s.roughness > 0.87 && s.roughness < 0.89 ? 0.9 : 1.0); }"),
+              testing::HasSubstr("red: D integrates to 0.9"));
+}
+
 TEST_F(Laws, FaultsWithinTheRangeOfAParameter) {
   // The fifth number is a constant of the material.
   for (const char* name : {"first", "fifth"}) {
