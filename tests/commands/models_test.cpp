@@ -121,7 +121,7 @@ TEST(ModelsCommand, OneThatTakesForEverIsRefused) {
                           "  return vec3(x);\n}\n");
   const auto ran = glint({"render", "--models-dir", "mine", "--model", "slow", "--size", "32x32", "-o", "out.png"});
   EXPECT_EQ(ran.code, 2) << ran.err;
-  EXPECT_THAT(ran.err, testing::ContainsRegex("mine/slow.glsl: takes [0-9.]+ ms for 16 values; a picture asks for millions"));
+  EXPECT_THAT(ran.err, testing::ContainsRegex("mine/slow.glsl:4: takes [0-9.]+ ms for 16 values; a picture asks for millions"));
 }
 
 TEST(ModelsCommand, TablesThatAreNotFiniteAreSaid) {
