@@ -299,6 +299,15 @@ const std::vector<std::pair<std::string, std::string>> kDiffuse = {
 
 Finish diffuseAlbedo(const EvaluationRequest& request, Batch& batch) {
   const double NoV = number(request, "NoV");
+  if (request.names.count("model") || request.names.count("D")) {
+    IntegralQuery q = query(request, NoV);
+    q.diffuseColor = glm::vec3(1);
+    const auto ticket = batch.integral(subject(request), q, parametersOf(request));
+    return [ticket](const Batch& done) -> Values {
+      if (const std::string fault = done.faultOf(ticket); !fault.empty()) throw EvaluationFault{fault, ""};
+      return {{"value", {done.integral(ticket).diffuse.g}}};
+    };
+  }
   std::vector<std::pair<std::string, Batch::ModelTicket>> tickets;
   const auto add = [&](const std::string& name, const std::string& term, float color) {
     IntegralQuery q = query(request, NoV);

@@ -1,5 +1,6 @@
 // glint eval: terms, model values and integrals for a list of requests, from the shipped GLSL on the device.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -75,7 +76,14 @@ Work readEntry(const Json& entry, const std::string& id, const Json* models, Fau
   const auto named = work.request.names.find("model");
   const Json* parts = entry.find("model") ? mixOf(*entry.find("model")) : nullptr;
   if (const Json* listed = models && named != work.request.names.end() ? models->find(named->second) : nullptr) parts = mixOf(*listed);
-  if (parts) work.request.names["model"] = parts->items[0].text + "*" + parts->items[1].text + "*" + parts->items[2].text;
+  if (parts) {
+    std::vector<std::string> names;
+    for (const Json& part : parts->items) {
+      if (part.isString()) names.push_back(part.text);
+      else faults.push_back({fmt::format("'model' holds {}", name(part.kind)), "name D, G and F, and the diffuse part if there is one"});
+    }
+    work.request.names["model"] = fmt::format("{}", fmt::join(names, "*"));
+  }
   if (const Json* args = entry.find("args")) {
     if (!args->isObject()) faults.push_back({"'args' is not an object", "name each argument"});
     for (size_t i = 0; args->isObject() && i < args->keys.size(); ++i) {

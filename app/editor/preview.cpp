@@ -165,7 +165,7 @@ bool Preview::sameSettings(const Preview& o) const {
   const auto key = [](const Preview& p) {
     return std::tie(p.subject, p.models, p.columns, p.materials, p.sweepName, p.sweepFrom, p.sweepTo, p.sweepCount,
                     p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
-                    p.exposure, p.tonemap, p.background, p.compensate);
+                    p.exposure, p.tonemap, p.background, p.compensate, p.areaLights);
   };
   return key(*this) == key(o) && backgroundColor == o.backgroundColor && lights == o.lights;
 }
@@ -200,6 +200,8 @@ Json previewJson(const Preview& p) {
   json.set("background", Json::of(std::string(name(p.background))));
   json.set("backgroundColor", vec(p.backgroundColor));
   json.set("compensate", Json::of(p.compensate));
+  for (const AreaLightsInfo& info : areaLightMethods())
+    if (info.method == p.areaLights) json.set("areaLights", Json::of(std::string(info.id)));
   json.set("orbit", orbitJson(p.orbit));
   json.set("comparisonOrbit", orbitJson(p.comparisonOrbit));
   return json;
@@ -237,6 +239,10 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   reader.read("background", p.background, kBackgrounds);
   reader.read("backgroundColor", p.backgroundColor);
   reader.read("compensate", p.compensate);
+  std::string method;
+  reader.read("areaLights", method);
+  for (const AreaLightsInfo& info : areaLightMethods())
+    if (info.id == method) p.areaLights = info.method;
   readOrbit(json, "orbit", p.orbit, place, warnings);
   readOrbit(json, "comparisonOrbit", p.comparisonOrbit, place, warnings);
   return p;

@@ -54,6 +54,7 @@ struct Preview {
   Background background = Background::Color;
   glm::vec3 backgroundColor{0.02f};     // linear
   bool compensate = false;              // as RenderSettings
+  AreaLights areaLights = AreaLights::Cosines;
 
   // Not a step of undo: looking around changes nothing.
   Orbit orbit;

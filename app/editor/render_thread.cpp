@@ -182,7 +182,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
 
   const Preview& preview = request.preview;
   settings_ = {.view = preview.view, .exposure = preview.exposure, .tonemap = preview.tonemap,
-               .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .coarse = true};
+               .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .areaLights = preview.areaLights, .coarse = true};
   const int divisor = request.dragging && smoothedCost_ > kSlowMilliseconds ? 2 : 1;
   const glm::ivec2 size = glm::max(request.size / divisor, glm::ivec2(1));
   views_.clear();

@@ -67,6 +67,27 @@ bool lightProperties(Light& light) {
   return changed;
 }
 
+std::span<const LightPreset> lightPresets() {
+  static constexpr LightPreset kPresets[] = {
+      {"Three-point", "A large key from the front, a weaker fill from the other side, and a rim from behind",
+       [] {
+         const auto panel = [](glm::vec3 at, float lumens, float width, float height, glm::vec3 color) {
+           Light light{.kind = LightKind::Rectangle, .color = color, .position = at, .radius = 30, .axis = glm::normalize(-at), .width = width, .height = height};
+           light.candela = lumens / lumensPerCandela(light);
+           return light;
+         };
+         return std::vector<Light>{panel({2.2f, 2.2f, 2.8f}, 260, 1.6f, 1.6f, {1, 0.95f, 0.88f}), panel({-3, 0.8f, 2.2f}, 110, 2.2f, 1.4f, {0.85f, 0.92f, 1}),
+                                   panel({-1.2f, 2.4f, -2.8f}, 220, 2, 0.6f, {1, 1, 1})};
+       }},
+      {"Sun", "One directional light, high from the front",
+       [] { return std::vector<Light>{{.kind = LightKind::Directional, .direction = glm::normalize(glm::vec3(0.6f, 1, 0.8f)), .lux = 6.2831853f}}; }},
+      {"Sphere", "A ball above, as in the notes\u2019 figure 12",
+       [] { return std::vector<Light>{{.kind = LightKind::Sphere, .position = {0.8f, 1.9f, 1.6f}, .candela = 14, .radius = 20, .size = 0.5f}}; }},
+      {"Tube", "A tube above, as in the notes\u2019 figure 13",
+       [] { return std::vector<Light>{{.kind = LightKind::Tube, .position = {0, 1.7f, 1.6f}, .candela = 14, .radius = 20, .axis = {1, 0, 0}, .size = 0.04f, .length = 2.4f}}; }}};
+  return kPresets;
+}
+
 Light newLight(LightKind kind) {
   Light light;
   light.kind = kind;

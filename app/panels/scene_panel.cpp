@@ -86,7 +86,22 @@ class ScenePanel final : public Panel {
     }
     if (preview.lights.empty()) ui::textDim("Only the environment lights the scene.");
     std::string label = "Change light";
-    if (ui::button("Add light", false, ImGui::GetContentRegionAvail().x)) ImGui::OpenPopup("add light");
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (ui::button("Add light", false, half)) ImGui::OpenPopup("add light");
+    ImGui::SameLine();
+    if (ui::button("Presets", false, half)) ImGui::OpenPopup("light presets");
+    if (ImGui::BeginPopup("light presets")) {
+      for (const LightPreset& preset : lightPresets()) {
+        if (ImGui::MenuItem(preset.name)) {
+          preview.lights = preset.make();
+          changed = true;
+          label = fmt::format("Lights: {}", preset.name);
+        }
+        ui::tooltip(preset.doc);
+        ui::mark(fmt::format("Preset {}", preset.name));
+      }
+      ImGui::EndPopup();
+    }
     if (ImGui::BeginPopup("add light")) {
       for (const LightKindInfo& info : lightKinds()) {
         if (ImGui::MenuItem(info.title)) {
@@ -109,6 +124,21 @@ class ScenePanel final : public Panel {
       label = "Remove light";
     }
     if (changed) document.setPreview(label, preview);
+    const auto hasSurface = [](const Light& light) { return surfaceArea(light) > 0; };
+    if (std::none_of(preview.lights.begin(), preview.lights.end(), hasSurface)) return;
+    property("Area lights", "How lights with a surface are drawn", editor, [&](Preview& p, bool reset) {
+      if (reset) p.areaLights = AreaLights::Cosines;
+      std::vector<std::string> names, docs;
+      int index = 0;
+      for (const AreaLightsInfo& info : areaLightMethods()) {
+        if (info.method == p.areaLights) index = int(names.size());
+        names.push_back(info.title);
+        docs.push_back(info.doc);
+      }
+      if (!ui::choice("Area lights", index, names, docs)) return false;
+      p.areaLights = areaLightMethods()[size_t(index)].method;
+      return true;
+    });
   }
 
   static void picture(Editor& editor) {

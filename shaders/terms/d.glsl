@@ -6,6 +6,9 @@
 #ifndef GLINT_TERMS_D
 #define GLINT_TERMS_D
 
+// (n.h)^2 with all its digits: far from the normal 1 - sinH2 has lost them.
+float cosH2(Shading s) { return s.sinH2 > 0.5 ? s.NoH * s.NoH : 1.0 - s.sinH2; }
+
 // Trowbridge and Reitz 1975; Walter et al. 2007, eq. 33; Karis 2013, eq. 3: alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1)^2).
 float D_GGX(Shading s) {
   float q = s.alpha / (s.sinH2 * (1.0 - s.alpha2) + s.alpha2);
@@ -36,7 +39,7 @@ float D_GGXaniso(Shading s, float anisotropy) {
 // Beckmann and Spizzichino 1963; Walter et al. 2007, eq. 25: exp(-tan^2 / alpha^2) / (pi alpha^2 (n.h)^4).
 float D_Beckmann(Shading s) {
   // Below cos^2 = 1e-3 the exponential has reached zero for every alpha; the floor keeps 0 * infinity away.
-  float cos2 = max(1.0 - s.sinH2, 1e-3);
+  float cos2 = max(cosH2(s), 1e-3);
   float k = 1.0 / (s.alpha2 * cos2);
   return exp(-s.sinH2 * k) * k / (kPi * cos2);
 }
@@ -54,7 +57,7 @@ float preciseLog(float x, float oneMinusX) {
 // reference"): (n.h)^(2 / alpha^2 - 2) / (pi alpha^2).
 float D_Blinn(Shading s) {
   float k = 1.0 / s.alpha2;
-  return exp((k - 1.0) * preciseLog(1.0 - s.sinH2, s.sinH2)) * k * (1.0 / kPi);
+  return exp((k - 1.0) * preciseLog(cosH2(s), s.sinH2)) * k * (1.0 / kPi);
 }
 
 // Generalised Trowbridge-Reitz, Burley 2012, eq. 4 (appendix B), for gamma > 0:
@@ -99,7 +102,7 @@ float D_GTR3(Shading s) { return D_GTR(s, 3.0); }
 // (2 + 1/alpha) sin^(1/alpha)(theta) / (2 pi).
 float D_Charlie(Shading s) {
   float k = 1.0 / s.alpha;
-  return (2.0 + k) * exp(0.5 * k * preciseLog(s.sinH2, 1.0 - s.sinH2)) * (0.5 / kPi);
+  return (2.0 + k) * exp(0.5 * k * preciseLog(s.sinH2, cosH2(s))) * (0.5 / kPi);
 }
 
 #endif

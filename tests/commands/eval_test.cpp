@@ -65,6 +65,42 @@ TEST(EvalCommand, TakesAListOfItsOwn) {
   EXPECT_NEAR(values[3]["value"].get<double>(), 1 / 3.14159265, 1e-6) << "alpha 1 is uniform for every gamma";
 }
 
+// Far from the normal, where 1 - sin^2 has no digits left; exact values by logarithms in double precision.
+TEST(EvalCommand, DistributionsFarFromTheNormal) {
+  write("work.json", R"([
+    {"id": "a", "term": "D_Blinn", "args": {"r": 0.9, "NoH": 0.02}}, {"id": "b", "term": "D_Blinn", "args": {"r": 0.8, "NoH": 0.01}},
+    {"id": "c", "term": "D_Blinn", "args": {"r": 0.95, "NoH": 1e-4}}, {"id": "d", "term": "D_Beckmann", "args": {"r": 1, "NoH": 0.15}}])");
+  const auto ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const json values = json::parse(ran.out);
+  const auto blinn = [](double r, double NoH) { return std::pow(NoH, 2 / std::pow(r, 4) - 2) / (3.14159265358979 * std::pow(r, 4)); };
+  const auto near = [&](size_t i, double exact) { EXPECT_NEAR(values[i]["value"].get<double>(), exact, 1e-5 * exact) << i; };
+  near(0, blinn(0.9, 0.02));
+  near(1, blinn(0.8, 0.01));
+  near(2, blinn(0.95, 1e-4));
+  near(3, std::exp(-(1 - 0.0225) / 0.0225) / (3.14159265358979 * 0.0225 * 0.0225));
+}
+
+// The diffuse part of the model that is named, also by a list of its terms, and none invented where there is none.
+TEST(EvalCommand, DiffuseAlbedoOfAModel) {
+  write("work.json", R"([
+    {"id": "a", "quantity": "diffuse_directional_albedo", "model": "GGX*SmithGGX*Schlick*EON", "args": {"r": 0.5, "NoV": 0.1}},
+    {"id": "b", "quantity": "diffuse_directional_albedo", "model": ["GGX", "SmithGGX", "Schlick", "Burley"], "args": {"r": 0.5, "NoV": 0.1}},
+    {"id": "c", "quantity": "diffuse_directional_albedo", "args": {"r": 0.5, "NoV": 0.1}},
+    {"id": "d", "quantity": "diffuse_directional_albedo", "model": "nope", "args": {"r": 0.5, "NoV": 0.1}}])");
+  const auto ran = glint({"eval", "work.json"});
+  EXPECT_NE(ran.code, 0);
+  EXPECT_THAT(ran.err, HasSubstr("unknown shading model"));
+  write("work.json", R"([
+    {"id": "a", "quantity": "diffuse_directional_albedo", "model": "GGX*SmithGGX*Schlick*EON", "args": {"r": 0.5, "NoV": 0.1}},
+    {"id": "b", "quantity": "diffuse_directional_albedo", "model": ["GGX", "SmithGGX", "Schlick", "Burley"], "args": {"r": 0.5, "NoV": 0.1}},
+    {"id": "c", "quantity": "diffuse_directional_albedo", "args": {"r": 0.5, "NoV": 0.1}}])");
+  const json values = json::parse(glint({"eval", "work.json"}).out);
+  EXPECT_NEAR(values[0]["value"].get<double>(), 1, 2e-3) << "a white EON keeps its energy";
+  EXPECT_EQ(values[1]["value"], values[2]["value"]);
+  EXPECT_GT(values[1]["value"].get<double>(), 1.01);
+}
+
 // "compensate" asks for the model with all bounces; what is made for a model's own D is asked of a model.
 TEST(EvalCommand, CompensatedModelsAndOwnTerms) {
   write("work.json", R"([
