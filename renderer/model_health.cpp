@@ -11,6 +11,7 @@
 
 #include "materials/base/check.h"
 #include "materials/glsl_scan.h"
+#include "renderer/hook_faults.h"
 #include "renderer/model_integrals.h"
 #include "renderer/probe_points.h"
 #include "renderer/sampler_error.h"
@@ -31,8 +32,8 @@ const std::vector<float> kFineNoV = {0.005f, 0.01f, 0.02f, 0.05f, 0.1f, 0.2f, 0.
 const std::vector<float> kCoarseRoughness = {0.05f, 0.15f, 0.3f, 0.5f, 0.75f, 1.f};
 const std::vector<float> kCoarseNoV = {0.005f, 0.05f, 0.2f, 0.5f, 1.f};
 
-// A window of a fiftieth of the roughness has one of them.
-constexpr int kBetween = 64;
+// A window of a hundredth of the roughness has one of them.
+constexpr int kBetween = 128;
 
 class Examination {
  public:
@@ -57,6 +58,7 @@ class Examination {
       values(some.points, probe->evaluate(some.points, constants_));
     }
     constants_.clear();
+    hooks();
     if (result(Law::Finite).verdict == Verdict::Red) return;  // sums of what is not finite say nothing
     if (stopped()) return;
     energy(*integrals, kFineRoughness, kFineNoV, kBetween);
@@ -130,7 +132,7 @@ class Examination {
     const std::vector<glm::vec4> out = constants_.empty() ? probe->evaluate(one) : probe->evaluate(one, constants_);
     const auto faulty = [](const glm::vec4& v) { return isFault(v.r) || isFault(v.g) || isFault(v.b); };
     const std::pair<bool, std::string> parts[] = {
-        {isFault(out[0].w), "D"}, {isFault(out[1].w), "V"}, {faulty(out[2]), "F"}, {faulty(out[1]), "diffuse"}, {faulty(out[0]), "specular"}};
+        {isFault(out[0].w), "D"}, {isFault(out[1].w), "V"}, {faulty(out[2]), "F"}, {faulty(out[1]), "diffuse"}, {faulty(out[3]), "scattered"}, {faulty(out[0]), "specular"}};
     for (const auto& [bad, name] : parts) {
       if (!bad) continue;
       const std::string own = model_.isWhole() ? model_.namePrefix + "BRDF" : name;
@@ -192,6 +194,24 @@ class Examination {
     reciprocal.reason = fmt::format("is not reciprocal{}: swapping light and view changes it by {:.3g} %",
                                     reciprocal.claimed ? " as it claims" : "", 100 * worst);
     reciprocal.hint = reciprocal.claimed ? "drop the claim or mend the formula" : "";
+  }
+
+  // What is no part of f.
+  void hooks() {
+    for (const HookFault& fault : hookFaults(model_)) {
+      if (result(fault.law).verdict != Verdict::Green) continue;
+      LawResult& law = result(fault.law);
+      law.claimed = fault.law == Law::Energy && model_.claims.energyConserving;
+      law.verdict = fault.law == Law::Energy && !law.claimed ? Verdict::Amber : Verdict::Red;
+      law.value = fault.value;
+      const ProbePoint& p = fault.point;
+      law.where = fmt::format("{}:{}, {}NoL {:.4g}, NoV {:.4g}{}", (model_.sourceFile.empty() ? model_.file : model_.sourceFile).string(), fault.line,
+                              roughnessText(p.roughness), p.light.z, p.view.z, p.ownParameters ? parametersText(model_, p, fault.constants) : "");
+      if (fault.law == Law::Finite) law.reason = fmt::format("is not finite, because of {}", fault.function);
+      else if (fault.law == Law::NonNegative) law.reason = fmt::format("is negative, {:.4g}, because of {}", fault.value, fault.function);
+      else law.reason = fmt::format("gains energy{}: {} gives {:.4g}, more than all light", law.claimed ? " against its claim" : "", fault.function, fault.value);
+      law.hint = fault.law == Law::Energy ? "a colour or a reflected share is from 0 to 1" : "guard a division, a root or a power, or clamp what turns negative";
+    }
   }
 
   // Over a grid, and at `between` roughnesses evenly between its lines.

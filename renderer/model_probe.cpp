@@ -166,6 +166,10 @@ Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, std::optional<
 
 Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofOutputs(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
 
+Result<ModelProbe> ModelProbe::ofHooks(const ShadingModel& model) {
+  return ofOutputs(model, {"vec4(s.F0, 0.0)", "vec4(s.diffuseColor, 0.0)", "vec4(modelEnvironment(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)"}, false);
+}
+
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, std::optional<bool> compensate) {
   return ofOutputs(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
                          "vec4(modelF(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)"}, compensate.value_or(model.compensate));

@@ -132,7 +132,10 @@ ProbePoint pointOf(const PlotData& data, float roughness, const Directions& d) {
   return p;
 }
 
-void addCurves(PlotData& data, const std::vector<Variant>& variants, size_t subject, const ModelProbe& probe) {
+// Gives a model that has a roughness of its own, as a .brdf file may, that of the plot; empty for all others.
+using OwnRoughness = std::function<void(float)>;
+
+void addCurves(PlotData& data, const std::vector<Variant>& variants, size_t subject, const ModelProbe& probe, const OwnRoughness& ownRoughness) {
   const PlotSettings& s = data.settings;
   std::vector<ProbePoint> points;
   std::vector<std::vector<double>> grids;
@@ -145,7 +148,15 @@ void addCurves(PlotData& data, const std::vector<Variant>& variants, size_t subj
     grids.push_back(gridOf(s, v.angle));
     for (const double x : grids.back()) points.push_back(pointOf(data, v.roughness, directionsAt(s, v.angle, x)));
   }
-  const std::vector<Parts> parts = evaluateParts(probe, points);
+  std::vector<Parts> parts;
+  if (!ownRoughness) parts = evaluateParts(probe, points);
+  for (size_t k = 0; ownRoughness && k < variants.size(); ++k) {
+    if (grids[k].empty()) continue;
+    ownRoughness(variants[k].roughness);
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(parts.size());
+    const std::vector<Parts> some = evaluateParts(probe, {begin, begin + static_cast<std::ptrdiff_t>(grids[k].size())});
+    parts.insert(parts.end(), some.begin(), some.end());
+  }
   size_t from = 0, next = 0;
   const std::vector<double>* grid = nullptr;
   for (size_t k = 0; k < variants.size(); ++k) {
@@ -176,7 +187,7 @@ void addCurves(PlotData& data, const std::vector<Variant>& variants, size_t subj
   }
 }
 
-void addAlbedo(PlotData& data, const std::vector<Variant>& variants, size_t subject, const ModelIntegrals& integrals, double effort) {
+void addAlbedo(PlotData& data, const std::vector<Variant>& variants, size_t subject, const ModelIntegrals& integrals, double effort, const OwnRoughness& ownRoughness) {
   const PlotSettings& s = data.settings;
   std::vector<double> grid;
   if (s.overRoughness) {
@@ -206,7 +217,18 @@ void addAlbedo(PlotData& data, const std::vector<Variant>& variants, size_t subj
       queries.push_back(q);
     }
   }
-  const std::vector<ModelIntegral> values = integrals.evaluate(queries);
+  std::vector<ModelIntegral> values;
+  for (size_t from = 0, to = 0; from < queries.size(); from = to) {
+    // All at once where nothing has to be set between them.
+    to = queries.size();
+    if (ownRoughness) {
+      to = from + 1;
+      while (to < queries.size() && queries[to].roughness == queries[from].roughness) ++to;
+      ownRoughness(queries[from].roughness);
+    }
+    const std::vector<ModelIntegral> some = integrals.evaluate(std::span(queries).subspan(from, to - from));
+    values.insert(values.end(), some.begin(), some.end());
+  }
   for (size_t k = 0; k < variants.size(); ++k) {
     PlotCurve curve{subject, k, grid, {}};
     for (size_t i = 0; i < grid.size(); ++i) {
@@ -376,17 +398,27 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
       data.notes.push_back(fmt::format("{} does not compile", subjects[i].title));
       continue;
     }
+    // Unless the subject says another.
+    const auto ownRoughness = [](const ShadingModel& of, const PlotSubject& subject, auto& made) -> OwnRoughness {
+      const ModelParameter* own = of.parameter("roughness");
+      if (!own || own->standard.type != ValueType::Float) return {};
+      for (const auto& [name, value] : subject.parameters)
+        if (name == own->name && !(value == own->standard)) return {};
+      return [&made, own](float roughness) { made.set(own->name, Value::scalar(roughness)); };
+    };
     const auto setAll = [&](auto& made) {
       for (const ModelParameter& p : model.parameters) made.set(p.name, p.standard);
       for (const auto& [name, value] : subjects[i].parameters) made.set(name, value);
     };
     if (albedo) {
       setAll(*entry.integrals);
-      addAlbedo(data, variants, i, *entry.integrals, effort);
+      addAlbedo(data, variants, i, *entry.integrals, effort, ownRoughness(model, subjects[i], *entry.integrals));
     } else {
       setAll(*entry.probe);
+      const OwnRoughness own = ownRoughness(model, subjects[i], *entry.probe);
+      if (own && settings.kind == PlotKind::Slice) own(settings.roughness[0]);
       if (settings.kind == PlotKind::Slice) addSlice(data, i, *entry.probe, effort);
-      else addCurves(data, variants, i, *entry.probe);
+      else addCurves(data, variants, i, *entry.probe, own);
     }
   }
   mergeGreyChannels(data, variants);

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 // A model by its id, a mix, or a file that is one.
 Result<ModelPtr> find(const std::string& what, const ModelRegistry& registry) {
   std::error_code code;
-  if (!isModelFile(what) || !fs::exists(what, code)) return registry.get(what);
+  if (isModelFile(what) && !fs::exists(what, code)) return error(what, "no such file", "name a model, a mix of terms, or a .glsl or .brdf file");
+  if (!isModelFile(what)) return registry.get(what);
   Diagnostics warnings;
   auto model = readModelFile(what, warnings);
   log::report(warnings);

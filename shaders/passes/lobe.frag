@@ -36,19 +36,21 @@ void main() {
   s.T = vec3(1.0, 0.0, 0.0);
   s.B = vec3(0.0, 1.0, 0.0);
 #ifdef MODEL_IS_WHOLE
-  // Next to the normal: on it the azimuth of the view, which some divide by, has no value.
+  // Next to the normal: on it the azimuth of the view, which some divide by, has no value. The angles count from where it
+  // is mirrored to, which a narrow lobe is around.
   vec3 V = vec3(0.0, 0.01, 0.99995);
 #else
   vec3 V = vec3(0.0, 0.0, 1.0);
 #endif
-  setDirections(s, vec3(0.0, 0.0, 1.0), V, vec3(sin(theta) * cos(azimuth), sin(theta) * sin(azimuth), cos(theta)));
+  vec3 R = vec3(-V.xy, V.z), L = sin(theta) * (cos(azimuth) * vec3(1.0, 0.0, 0.0) + sin(azimuth) * vec3(0.0, R.z, -R.y)) + cos(theta) * R;
+  setDirections(s, vec3(0.0, 0.0, 1.0), V, L);
   Parameters p = modelParameters(standardParameters);
   modelPrepare(s, p);
   vec3 f = useD ? vec3(modelD(s, p)) : modelLobe(s, p);
 #ifdef MODEL_IS_WHOLE
   f -= min(modelFloor(s, p), f);
 #endif
-  float kernel = dot(f, vec3(1.0 / 3.0)) * cos(theta);
+  float kernel = dot(f, vec3(1.0 / 3.0)) * max(L.z, 0.0);
   // Less than nothing says that it was not finite.
   outColor = vec4(abs(kernel) < 1e30 ? max(kernel, 0.0) : -1.0);
 }

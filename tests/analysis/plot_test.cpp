@@ -10,6 +10,7 @@
 #include "app/analysis/plot_picture.h"
 #include "app/analysis/plot_reading.h"
 #include "app/analysis/plot_svg.h"
+#include "materials/model_file.h"
 #include "renderer/gl/context.h"
 #include "renderer/image_io.h"
 #include "tests/support/program.h"
@@ -257,6 +258,20 @@ TEST_F(Plots, CurvesStayInTheirFrame) {
           EXPECT_GE(p.y, frame.low.y - 3);
           EXPECT_LE(p.y, frame.high.y + 3);
         }
+  }
+}
+
+// A file whose parameter has the name of the attribute takes the plot's roughness for it.
+TEST_F(Plots, RoughnessOfItsOwn) {
+  Diagnostics warnings;
+  auto model = readModelFile(GLINT_TESTS_DIR "/data/brdf/brushed.brdf", warnings);
+  ASSERT_TRUE(model);
+  const PlotSubject one{std::make_shared<const ShadingModel>(std::move(*model)), {}, "brushed"};
+  for (const char* kind : {"lobe:roughness=0.1/0.4,angle=30,part=sum", "albedo:roughness=0.1/0.4,part=sum", "polar:roughness=0.1/0.4,part=sum"}) {
+    const auto data = computer_->compute(settings(kind), {one}, 0.3);
+    ASSERT_EQ(data->curves.size(), 2u) << kind;
+    const auto highest = [&](size_t i) { return *std::max_element(data->curves[i].y.begin(), data->curves[i].y.end()); };
+    EXPECT_GT(std::abs(highest(0) - highest(1)), 0.02 * highest(1)) << kind;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "materials/glsl_loops.h"
 #include "materials/glsl_namespace.h"
 #include "materials/model_file.h"
+#include "renderer/environment_lighting.h"
 #include "renderer/comparison.h"
 #include "renderer/gl/context.h"
 #include "renderer/mesh.h"
@@ -303,6 +304,19 @@ TEST_F(Brdf, SamplesHaveTheValuesOfTheirFormulas) {
   expectValues(sample("mirrored.brdf"), mirrored(20));
   expectValues(sample("mirrored.brdf"), mirrored(3), {{"n", Value::scalar(3)}});
   expectValues(sample("windows.brdf"), [](auto&, auto&) { return glm::dvec3(1, .5, .25); });
+}
+
+// Its view is a little off the normal: a lobe narrower than that was measured beside its peak, and drawn as a row of copies.
+TEST_F(Brdf, ANarrowLobeIsMeasuredAroundItsOwnAxis) {
+  ProgramCache programs;
+  Rectangles rectangles;
+  EnvironmentLighting lighting(programs, rectangles, false);
+  ModelSetting setting = modelSetting(sample("brushed.brdf"));
+  setting.set("ownRoughness", Value::scalar(0.01f));
+  setting.set("stretch", Value::scalar(1));
+  for (const glm::vec2& stretch : lighting.stretch(setting)) EXPECT_LT(glm::length(stretch), 0.002f) << "it is round";
+  setting.set("stretch", Value::scalar(4));
+  EXPECT_GT(glm::length(lighting.stretch(setting)[1]), 0.02f);
 }
 
 TEST_F(Brdf, ErrorsOfTheCompilerAreAtTheFilesLines) {

@@ -143,6 +143,20 @@ TEST_F(Laws, FaultsInAWindow) {
               testing::HasSubstr("because of D (planted.glsl:2"));
 }
 
+// The functions that are no part of f are judged too, with their lines.
+TEST_F(Laws, HooksAreJudged) {
+  const auto of = [](const std::string& body) { return verdict(R"({"D": "GGX", "V": "SmithGGXCorrelated", "F": "Schlick"})", body); };
+  EXPECT_THAT(of("vec3 environment(Shading s, Parameters p) { return vec3(sqrt(s.NoV - 0.5)); }"),
+              testing::HasSubstr("red: is not finite, because of environment (planted.glsl:2"));
+  EXPECT_THAT(of("\nvec3 environment(Shading s, Parameters p) { return vec3(-0.5); }"), testing::HasSubstr("red: is negative, -0.5, because of environment (planted.glsl:3"));
+  EXPECT_THAT(of("vec3 environment(Shading s, Parameters p) { return vec3(5.0); }"), testing::HasSubstr("red: gains energy against its claim: environment gives 5"));
+  EXPECT_THAT(of("void colors(inout Shading s, Parameters p) { s.F0 = vec3(sqrt(s.roughness - 0.9)); }"), testing::HasSubstr("is not finite, because of colors"));
+  EXPECT_THAT(of("void colors(inout Shading s, Parameters p) { s.F0 = vec3(-1.0); }"), testing::HasSubstr("because of colors"));
+  EXPECT_THAT(of("void colors(inout Shading s, Parameters p) { s.diffuseColor *= 3.0; }"), testing::HasSubstr("colors gives 3"));
+  EXPECT_THAT(of("vec3 scattered(Shading s, Parameters p) { return vec3(dot(s.N, s.L) < -0.3 ? sqrt(-s.NoV - 1.0) : 0.05); }"),
+              testing::HasSubstr("is not finite, because of scattered"));
+}
+
 // So is energy that is gained, or lost by the distribution, between two roughnesses alone.
 TEST_F(Laws, EnergyInAWindow) {
   EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) * (s.roughness > 0.31 && s.roughness < 0.33 ? 2.0 : 1.0); }"),
