@@ -126,6 +126,7 @@ class Scanner {
     const int line = line_;
     ++at_;
     const std::string text = directiveText();
+    if (text.find("##") != text.npos) fault(line, "## pastes words together", "GLSL has no such operator: write the whole word");
     size_t at = 0;
     const std::string word = takeName(text, at);
     if (word == "version" || word == "extension" || word == "include" || word == "line" || word == "pragma") {

@@ -71,20 +71,33 @@ Result<ModelMix> parseModelMix(std::string_view id) {
   return mix;
 }
 
-std::string pluginOfMix(const ModelMix& mix, const std::string& id) {
-  Json terms = Json::object(), cite = Json::array();
+std::string pluginOfMix(const ModelMix& mix, const std::string& id, const std::map<std::string, float>& values) {
+  Json terms = Json::object(), cite = Json::array(), parameters = Json::array();
   std::string title;
   for (const Part& part : kParts) {
     const std::string& name = mix.*part.name;
     terms.set(std::string(part.key), Json::of(name));
     title += (title.empty() ? "" : " x ") + name;
-    if (const auto term = findTerm(part.kind, name))
+    const auto term = findTerm(part.kind, name);
+    for (const TermParameter& p : term ? term->parameters : std::vector<TermParameter>{}) {
+      const auto value = values.find(p.name);
+      if (value == values.end() || value->second == p.standard) continue;
+      Json& parameter = parameters.push(Json::object());
+      parameter.set("name", Json::of(p.name));
+      parameter.set("type", Json::of(std::string("float")));
+      parameter.set("min", Json::of(p.minimum));
+      parameter.set("max", Json::of(p.maximum));
+      parameter.set("default", Json::of(value->second));
+      parameter.set("doc", Json::of(p.doc));
+    }
+    if (term)
       cite.push(Json::of(fmt::format("{}: {}", part.key, term->doc.substr(0, term->doc.find('\n')))));
   }
   Json head = Json::object();
   head.set("id", Json::of(id));
   head.set("title", Json::of(title));
   head.set("doc", Json::of("A mix of terms. It claims nothing until it is told to: glint verify says which laws it keeps."));
+  if (!parameters.items.empty()) head.set("parameters", std::move(parameters));
   head.set("terms", std::move(terms));
   head.set("claims", Json::object());
   head.set("cite", std::move(cite));

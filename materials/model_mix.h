@@ -2,6 +2,7 @@
 // of: "GGX*SmithGGXCorrelated*Schlick" or "GTR*SmithGGX*Schlick*Burley".
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -26,8 +27,9 @@ std::string namedMix(std::string_view name);
 // Errors: not three or four names, or a name that no term of its kind has.
 Result<ModelMix> parseModelMix(std::string_view id);
 
-// The text of a plugin that is this mix, with an id that a file can have: what "Save as plugin" writes.
-std::string pluginOfMix(const ModelMix&, const std::string& id);
+// The text of a plugin that is this mix, with an id that a file can have: what "Save as plugin" writes. `values` are those
+// of the terms' parameters that are not their standards, by name.
+std::string pluginOfMix(const ModelMix&, const std::string& id, const std::map<std::string, float>& values = {});
 
 // The model itself, as read from such a plugin; its id is the mix's. Errors: of parseModelMix().
 Result<ShadingModel> mixModel(std::string_view id);

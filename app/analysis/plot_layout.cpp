@@ -230,7 +230,11 @@ void drawPolar(Sheet& sheet, float top) {
     for (const double at : {-static_cast<double>(angle), static_cast<double>(angle)}) {
       const glm::vec2 rim = frame.place(at, frame.y.high), out = glm::normalize(rim - frame.place(0, frame.y.low));
       const bool taken = std::fmod(std::abs(at), 30.0) < 7 || std::fmod(std::abs(at), 30.0) > 23;
-      sheet.text(rim + out * sheet.px(taken ? 44 : 8) + glm::vec2(0, sheet.px(3)), 12, false, sheet.dim, at < 0 ? TextAlign::Right : TextAlign::Left, at < 0 ? "view" : "mirror");
+      // At the sides there is no room outside: above the horizon, inside.
+      const bool flat = std::abs(at) > 75;
+      const TextAlign outside = at < 0 ? TextAlign::Right : TextAlign::Left, inside = at < 0 ? TextAlign::Left : TextAlign::Right;
+      sheet.text(flat ? rim - out * sheet.px(6) - glm::vec2(0, sheet.px(7)) : rim + out * sheet.px(taken ? 44 : 8) + glm::vec2(0, sheet.px(3)), 12, false,
+                 sheet.dim, flat ? inside : outside, at < 0 ? "view" : "mirror");
     }
   }
   drawCurves(sheet, frame);

@@ -96,6 +96,7 @@ void printModel(const ShadingModel& m, const ModelHealth* card) {
 // others measured now.
 struct Examined {
   Diagnostics faults;
+  std::vector<ModelPtr> sound;               // those that compile
   std::map<std::string, ModelHealth> cards;  // by id
 };
 
@@ -106,6 +107,7 @@ Examined examine(Renderer& renderer, const ModelRegistry& registry) {
   for (size_t i = 0; i < all.size(); ++i) {
     const ShadingModel& model = *all[i];
     const Diagnostics faults = renderer.check(all[i]);
+    if (faults.empty()) found.sound.push_back(all[i]);
     auto card = faults.empty() ? keptHealth(model) : unmeasurable(model.id, model.file.string(), faults);
     if (!card) {
       log::progress("checking " + model.id, double(i) / double(all.size()));
@@ -119,12 +121,12 @@ Examined examine(Renderer& renderer, const ModelRegistry& registry) {
   return found;
 }
 
-// README.md and a picture for each model. Nothing is written unless all of it is there to write.
+// README.md and a picture for each model that compiles. Nothing is written unless all of it is there to write.
 Diagnostics writePage(const Arguments& arguments, const gl::Context& context, Renderer& renderer, Libraries& libraries,
-                      const std::map<std::string, ModelHealth>& cards) {
+                      const Examined& found) {
   namespace fs = std::filesystem;
   const fs::path folder = arguments.get("page"), pictures = folder / "pictures";
-  const auto page = modelsPage(renderer, libraries, libraries.models.all(), cards, "glint models --page " + folder.generic_string());
+  const auto page = modelsPage(renderer, libraries, found.sound, found.cards, "glint models --page " + folder.generic_string());
   if (!page) return page.diagnostics();
   std::error_code code;
   fs::create_directories(pictures, code);
@@ -152,8 +154,7 @@ int run(const Arguments& arguments) {
     found = examine(renderer, registry);
     problems.insert(problems.end(), found.faults.begin(), found.faults.end());
     if (arguments.has("page"))
-      if (const Diagnostics faults = found.faults.empty() ? writePage(arguments, **context, renderer, libraries, found.cards) : found.faults; !faults.empty())
-        return badInput(faults);
+      if (const Diagnostics faults = writePage(arguments, **context, renderer, libraries, found); !faults.empty()) return badInput(faults);
   } else if (arguments.backend != gl::Backend::Auto || arguments.has("page")) {
     log::report(context.diagnostics());
     return kNoContext;

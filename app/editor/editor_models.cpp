@@ -1,9 +1,12 @@
 // What the editor does with shading models: plugins that come and change, rows of the comparison, and mixes.
 #include <algorithm>
+#include <cstdlib>
+#include <map>
 
 #include "app/editor/editor.h"
 #include "app/editor/model_row.h"
 #include "materials/base/files.h"
+#include "materials/graph_compile.h"
 #include "materials/model_file.h"
 
 namespace glint {
@@ -93,7 +96,20 @@ void Editor::useModel(const std::string& id) {
 void Editor::saveMix(const ModelMix& mix, std::optional<std::string> row) {
   savedMix_ = mix;
   savedRow_ = std::move(row);
-  pluginSaver_.open(mix, *models_);
+  // With the values that its parameters have: in the material, or on the row.
+  std::map<std::string, float> values;
+  const Material& material = document_->material();
+  const ModelPtr model = models_->find(mix.id());
+  if (savedRow_) {
+    for (const Setting& setting : modelRow(*savedRow_).parameters) values[setting.name] = std::strtof(setting.text.c_str(), nullptr);
+  } else if (model && material.model == mix.id()) {
+    if (const auto compiled = compileMaterial(material, *model, nodes_, functions_)) {
+      const std::vector<Value> now = compiled->modelParameterValues();
+      for (size_t i = 0; i < now.size(); ++i)
+        if (!compiled->modelParameters[i].varies) values[compiled->modelParameters[i].name] = now[i].v[0];
+    }
+  }
+  pluginSaver_.open(mix, values, *models_);
 }
 
 void Editor::drawPluginSaver() {

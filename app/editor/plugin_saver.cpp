@@ -35,8 +35,9 @@ std::string pluginRefusal(const std::string& id, const fs::path& folder, const M
   return {};
 }
 
-void PluginSaver::open(const ModelMix& mix, const ModelRegistry& registry) {
+void PluginSaver::open(const ModelMix& mix, const std::map<std::string, float>& values, const ModelRegistry& registry) {
   mix_ = mix;
+  values_ = values;
   id_ = suggestedId(mix, registry);
   problem_.clear();
   folders_.clear();
@@ -80,7 +81,7 @@ std::optional<std::string> PluginSaver::draw(const ModelRegistry& registry) {
     std::error_code code;
     fs::create_directories(folder, code);
     const Diagnostics faults = code ? Diagnostics{error(folder.string(), "cannot be made: " + code.message())}
-                                    : writeFileAtomic(folder / (id_ + ".glsl"), pluginOfMix(mix_, id_));
+                                    : writeFileAtomic(folder / (id_ + ".glsl"), pluginOfMix(mix_, id_, values_));
     if (faults.empty()) {
       written = id_;
       ImGui::CloseCurrentPopup();

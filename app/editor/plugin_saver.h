@@ -1,6 +1,7 @@
 // The dialog that makes a mix of terms a plugin: asks for its id and writes the short file.
 #pragma once
 
+#include <map>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,13 +17,14 @@ std::string pluginRefusal(const std::string& id, const std::filesystem::path& fo
 
 class PluginSaver {
  public:
-  void open(const ModelMix&, const ModelRegistry&);
+  void open(const ModelMix&, const std::map<std::string, float>& values, const ModelRegistry&);
   // Once a frame, outside of all windows. The new model's id in the frame in which its file was written; the registry
   // has not read it yet.
   std::optional<std::string> draw(const ModelRegistry&);
 
  private:
   ModelMix mix_;
+  std::map<std::string, float> values_;   // of its parameters
   std::string id_, problem_;
   std::vector<std::string> folders_;
   int folder_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/editor/editor.h"
+#include "app/editor/model_row.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
 #include "app/panels/panel.h"
@@ -119,8 +120,12 @@ class AnalysisPanel final : public Panel {
 
   void post(Editor& editor) {
     std::vector<PlotSubject> subjects;
-    for (const std::string& id : editor.document().preview().models)
-      if (ModelPtr model = editor.models().find(id)) subjects.push_back(subjectOf(editor, std::move(model)));
+    // The rows of the comparison, and the model that is being worked on.
+    std::vector<std::string> ids;
+    for (const std::string& row : editor.document().preview().models) ids.push_back(modelRow(row).id);
+    ids.push_back(editor.document().material().model);
+    for (auto id = ids.begin(); id != ids.end(); ++id)
+      if (ModelPtr model = std::find(ids.begin(), id, *id) == id ? editor.models().find(*id) : nullptr) subjects.push_back(subjectOf(editor, std::move(model)));
     const auto same = [](const PlotSubject& a, const PlotSubject& b) { return a.model == b.model; };
     const bool models = std::equal(subjects.begin(), subjects.end(), subjects_.begin(), subjects_.end(), same);
     const bool values = models && std::equal(subjects.begin(), subjects.end(), subjects_.begin(),

@@ -129,14 +129,14 @@ class ScenePanel final : public Panel {
     property("Area lights", "How lights with a surface are drawn", editor, [&](Preview& p, bool reset) {
       if (reset) p.areaLights = AreaLights::Cosines;
       std::vector<std::string> names, docs;
-      int index = 0;
+      int chosen = 0;
       for (const AreaLightsInfo& info : areaLightMethods()) {
-        if (info.method == p.areaLights) index = int(names.size());
+        if (info.method == p.areaLights) chosen = int(names.size());
         names.push_back(info.title);
         docs.push_back(info.doc);
       }
-      if (!ui::choice("Area lights", index, names, docs)) return false;
-      p.areaLights = areaLightMethods()[size_t(index)].method;
+      if (!ui::choice("Area lights", chosen, names, docs)) return false;
+      p.areaLights = areaLightMethods()[size_t(chosen)].method;
       return true;
     });
   }

@@ -82,7 +82,7 @@ float D_GTR(Shading s, float gamma, float peak) {
   return peak * pow(s.alpha2 / (s.sinH2 * (1.0 - s.alpha2) + s.alpha2), gamma);
 }
 
-// Generalised Trowbridge-Reitz with that value made on the spot.
+// Generalised Trowbridge-Reitz, Burley 2012, eq. 4 (appendix B), with that value made on the spot.
 //   gamma from 0.5 to 6, 1.5: how long the tail is: 1 the longest that is usual, 2 GGX, larger ones cut it short
 float D_GTR(Shading s, float gamma) { return D_GTR(s, gamma, peakGTR(s.alpha2, gamma)); }
 

@@ -226,6 +226,7 @@ TEST(ModelHead, TextThatNoCompilerSurvives) {
   }
   EXPECT_THAT(faults(plugin("", laughs)), HasSubstr("grows without measure"));
   EXPECT_THAT(faults(plugin("", "#define F(x) x x\n")), HasSubstr("the macro 'F' has arguments"));
+  EXPECT_THAT(faults(plugin("", "#define U uni ## form\nU float x;\n")), HasSubstr("## pastes words together"));
 }
 
 TEST(GlslScan, SeesWhatIsDefinedAndNothingElse) {

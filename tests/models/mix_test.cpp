@@ -90,6 +90,13 @@ TEST(Mix, AnyOfThemIsTheProductOfItsTerms) {
 TEST(Mix, SavedAsAPluginItIsTheSameModel) {
   auto mix = parseModelMix("GTR*SmithGGXCorrelated*CookTorrance*Burley");
   ASSERT_TRUE(mix);
+  // A parameter that was turned is so in the plugin.
+  const auto free = parseModelMix("GTR*SmithGGX*Schlick*Burley");
+  ASSERT_TRUE(free);
+  const auto turned = parseModel("turned.glsl", pluginOfMix(*free, "turned", {{"gamma", 3.977f}}));
+  ASSERT_TRUE(turned);
+  ASSERT_NE(turned->parameter("gamma"), nullptr);
+  EXPECT_FLOAT_EQ(turned->parameter("gamma")->standard.v[0], 3.977f);
   const std::string text = pluginOfMix(*mix, "my-mix");
   const auto plugin = parseModel("my-mix.glsl", text);
   ASSERT_TRUE(plugin) << plugin.diagnostics()[0].text();
