@@ -129,7 +129,7 @@ std::vector<Option> sceneOptionTable() {
       {"--tonemap", "NAME", "none (the default), aces, agx or pbr-neutral"},
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
       {"--compensate", "", "give back what bounces among facets more than once (Kulla and Conty 2017); off unless the model says otherwise"},
-      {"--reference", "SPP", "ground truth by Monte Carlo (not in this version)"},
+      {"--reference", "SPP", fmt::format("ground truth instead of approximations: Monte Carlo with this many samples a pixel, 1..{}", kMostReferenceSamples)},
   };
 }
 
@@ -311,7 +311,7 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);
   options.render.compensate = given("compensate");
-  if (given("reference")) problems.push_back(error("--reference", "the Monte Carlo reference is not in this version", "leave it out"));
+  if (given("reference")) keep(problems, parseWhole(arguments.get("reference"), 1, kMostReferenceSamples, "--reference"), options.render.reference);
   if (!problems.empty()) return problems;
   return options;
 }

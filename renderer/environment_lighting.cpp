@@ -186,6 +186,34 @@ const std::array<glm::vec2, EnvironmentLighting::kLevels>& EnvironmentLighting::
   return stretches_.at(key);
 }
 
+Result<const LobeWidths*> EnvironmentLighting::widths(const ModelSetting& setting) {
+  const uint64_t key = tableKey(setting);
+  if (const auto found = widths_.find(key); found != widths_.end()) return found->second.get();
+  auto made = std::make_unique<LobeWidths>();
+  const auto measure = [&](Lobe which, std::array<float, kLevels>& roots) -> Diagnostics {
+    const auto rows = lobe(setting, which);
+    if (!rows) return rows.diagnostics();
+    for (size_t level = 0; level < roots.size(); ++level) {
+      // A lobe of nothing: any width will do.
+      const double slope = medianSlope((*rows)[level]);
+      roots[level] = static_cast<float>(std::sqrt(slope > 0 ? slope : 1));
+    }
+    return {};
+  };
+  if (Diagnostics faults = measure(Lobe::Base, made->base); !faults.empty()) return faults;
+  if (setting.shader->model->definesCoat)
+    if (Diagnostics faults = measure(Lobe::Coat, made->coat); !faults.empty()) return faults;
+  if (setting.shader->model->usesTangent) made->stretch = stretch(setting);
+  if (widths_.size() > 1000) widths_.clear();
+  return (widths_[key] = std::move(made)).get();
+}
+
+void LobeWidths::apply(const gl::Program& program) const {
+  glProgramUniform1fv(program.id(), program.location("lobeRoots"), static_cast<GLsizei>(base.size()), base.data());
+  glProgramUniform1fv(program.id(), program.location("coatRoots"), static_cast<GLsizei>(coat.size()), coat.data());
+  glProgramUniform2fv(program.id(), program.location("lobeStretch"), static_cast<GLsizei>(stretch.size()), &stretch[0].x);
+}
+
 Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environment, const ModelSetting& setting,
                                                    const std::array<int, kLevels>& samples, Lobe which) {
   const auto rows = lobe(setting, which);

@@ -40,6 +40,9 @@ struct EnvironmentMaps {
   gl::Buffer irradianceBuffer;
 };
 
+// How wide a model's lobes are, for who draws directions from them (shaders/common/reference.glsl).
+struct LobeWidths;
+
 class EnvironmentLighting {
  public:
   // Levels of the prefiltered cube: sizes 256, 128, .. 8 for roughness 0 .. 1 (levelRoughness).
@@ -92,6 +95,8 @@ class EnvironmentLighting {
   // By how much the lobe of a model that uses the tangent is wider than that, as slopes of the half vector along the
   // tangent and the bitangent.
   const std::array<glm::vec2, kLevels>& stretch(const ModelSetting&);
+  // Kept. An error is the model's GLSL not compiling. Lives until the next call.
+  Result<const LobeWidths*> widths(const ModelSetting&);
   // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
   Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples, Lobe = Lobe::Base);
 
@@ -127,6 +132,15 @@ class EnvironmentLighting {
   RecentlyUsed<StoredBrdf> brdf_;
   std::unordered_map<uint64_t, Invalid> invalid_;  // by setting; only those that have any
   std::unordered_map<uint64_t, std::array<glm::vec2, kLevels>> stretches_;  // by setting; of models that use the tangent
+  std::unordered_map<uint64_t, std::unique_ptr<LobeWidths>> widths_;        // by setting
+};
+
+// By level: the root of the slope of the half vector within which half of a lobe lies, which is alpha for GGX.
+struct LobeWidths {
+  std::array<float, EnvironmentLighting::kLevels> base{}, coat{};
+  std::array<glm::vec2, EnvironmentLighting::kLevels> stretch{};
+
+  void apply(const gl::Program&) const;
 };
 
 // Coefficients of the irradiance of an environment (Ramamoorthi and Hanrahan 2001, eq. 13), over pi.

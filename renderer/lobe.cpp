@@ -36,15 +36,14 @@ std::vector<double> massOf(std::span<const float> kernel) {
   return mass;
 }
 
-// The slope of the half vector that half of the mass lies within: alpha, for a narrow GGX.
+}  // namespace
+
 double medianSlope(std::span<const float> kernel) {
   const std::vector<double> mass = massOf(kernel);
   if (!(mass.back() > 0)) return 0;
   const auto middle = std::lower_bound(mass.begin(), mass.end(), 0.5 * mass.back());
   return std::tan(0.5 * edgeAngle(static_cast<size_t>(middle - mass.begin()), kernel.size()));
 }
-
-}  // namespace
 
 StretchedLobe stretchedLobe(std::span<const std::vector<float>> rows) {
   // The squared inverse of an ellipse's radius is a constant and one wave of twice the azimuth.

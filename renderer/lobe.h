@@ -21,6 +21,9 @@ struct StretchedLobe {
 };
 StretchedLobe stretchedLobe(std::span<const std::vector<float>> rows);
 
+// The slope of the half vector that half of a kernel's light lies within: alpha, for a narrow GGX. 0 without any light.
+double medianSlope(std::span<const float> kernel);
+
 // The angle of entry i in radians: pi/2 u^2 at u = (i + 1/2) / size, denser towards the axis. shaders/passes/lobe.frag
 // evaluates the kernel there.
 float lobeAngle(size_t i, size_t size);

@@ -11,6 +11,7 @@
 #include "renderer/passes/buffer_view_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
 #include "renderer/passes/lighting_pass.h"
+#include "renderer/passes/reference_pass.h"
 #include "renderer/program_cache.h"
 
 namespace glint {
@@ -45,6 +46,7 @@ struct Renderer::State {
     lightingPass.forgetUnused();
     programs.forgetUnused();
     lighting.forgetUnused();
+    referencePass.forgetUnused();
     statistics = {};
     for (const View& view : views) {
       GLINT_CHECK(view.scene != nullptr && view.rectangle.z > 0 && view.rectangle.w > 0);
@@ -126,7 +128,10 @@ struct Renderer::State {
     frame.output = output;
     frame.targets.resize(size.x, size.y, frame.optional);
     gbufferPass.draw(frame);
-    if (frame.isLit()) lightingPass.draw(frame, lists);
+    if (frame.isLit() && settings.reference > 0) {
+      const int first = firstReferenceSample(settings, sample);
+      referencePass.draw(frame, lists, first, firstReferenceSample(settings, sample + 1) - first);
+    } else if (frame.isLit()) lightingPass.draw(frame, lists);
     else bufferViewPass.draw(frame, lists);
     // In an average every pixel must count its samples, so a black background is drawn there too.
     if (output != Output::Picture || !BackgroundPass::isBlack(frame)) backgroundPass.draw(frame);
@@ -139,6 +144,17 @@ struct Renderer::State {
     glDisable(GL_FRAMEBUFFER_SRGB);
     const GLfloat black[4] = {0, 0, 0, alpha};
     glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
+  }
+
+  // The frames of a picture, and into what they are added up.
+  static int framesOf(const RenderSettings& settings) {
+    const int frames = std::max(1, settings.samples);
+    return settings.reference > 0 ? std::min(frames, settings.reference) : frames;
+  }
+  static Output outputOf(const RenderSettings& settings) { return settings.reference > 0 ? Output::Radiance : Output::Display; }
+  // Of a frame: each has its share, and of those beyond the picture's as many again.
+  static int firstReferenceSample(const RenderSettings& settings, int frame) {
+    return static_cast<int>(int64_t{settings.reference} * frame / framesOf(settings));
   }
 
   // The pixels that no pass writes are cleared; those of the background pass need none.
@@ -163,10 +179,10 @@ struct Renderer::State {
 
   // The average so far into the next picture. Pixels without any pass have no alpha; with a black background they
   // are sound all the same.
-  void resolve() {
+  void resolve(const RenderSettings& settings) {
     picture = &frame.targets.nextPicture();
     clear(picture->framebuffer.id(), 1);
-    const gl::Program& program = programs.shipped(Rectangles::vertexShader(), {"shaders/passes/resolve.frag", {}, {}});
+    const gl::Program& program = programs.shipped(Rectangles::vertexShader(), {"shaders/passes/resolve.frag", settings.reference > 0 ? frame.displayDefines() : std::vector<std::string>{}, {}});
     program.set("scale", 1.0f / static_cast<float>(accumulated));
     glBindTextureUnit(0, frame.targets.accumulationTexture());
     glBindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer.id());
@@ -187,6 +203,7 @@ struct Renderer::State {
   GbufferPass gbufferPass{programs};
   BackgroundPass backgroundPass{programs, lighting};
   LightingPass lightingPass{programs, frame.rectangles, lighting, backgroundPass};
+  ReferencePass referencePass{programs, lighting, backgroundPass};
   BufferViewPass bufferViewPass{programs};
   int accumulated = 0;
   FrameTargets::Picture* picture = nullptr;
@@ -213,18 +230,21 @@ int countInViews(std::span<const View> views, glm::ivec2 size, const IsSo& isSo)
 Renderer::Renderer(const gl::Context&) : state_(std::make_unique<State>()) {}
 Renderer::~Renderer() = default;
 
-void Renderer::setProgress(Progress progress) { state_->lighting.setProgress(std::move(progress)); }
+void Renderer::setProgress(Progress progress) {
+  state_->referencePass.setProgress(progress);
+  state_->lighting.setProgress(std::move(progress));
+}
 const Diagnostics& Renderer::problems() const { return state_->frame.problems; }
 const Renderer::Statistics& Renderer::statistics() const { return state_->statistics; }
 EnvironmentLighting& Renderer::environmentLighting() { return state_->lighting; }
 
 Image8 Renderer::picture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
   State& s = *state_;
-  if (settings.samples <= 1) {
+  if (settings.samples <= 1 && settings.reference == 0) {
     s.drawPicture(views, size, settings);
   } else {
-    for (int i = 0; i < settings.samples; ++i) s.accumulate(views, size, settings, i, Output::Display);
-    s.resolve();
+    for (int i = 0; i < State::framesOf(settings); ++i) s.accumulate(views, size, settings, i, State::outputOf(settings));
+    s.resolve(settings);
   }
   std::vector<uint8_t> pixels(static_cast<size_t>(size.x) * static_cast<size_t>(size.y) * 4);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, s.picture->framebuffer.id());
@@ -241,7 +261,7 @@ Image8 Renderer::picture(std::span<const View> views, glm::ivec2 size, const Ren
 
 ImageF Renderer::linear(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
   State& s = *state_;
-  const int samples = std::max(1, settings.samples);
+  const int samples = State::framesOf(settings);
   for (int i = 0; i < samples; ++i) s.accumulate(views, size, settings, i, Output::Radiance);
   std::vector<float> pixels(static_cast<size_t>(size.x) * static_cast<size_t>(size.y) * 4);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, s.frame.targets.accumulation());
@@ -288,16 +308,23 @@ std::vector<Renderer::FurnaceShare> Renderer::furnaceShares(std::span<const View
 }
 
 unsigned Renderer::drawToTexture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
-  state_->drawPicture(views, size, settings);
+  State& s = *state_;
+  if (settings.reference > 0) {
+    s.accumulate(views, size, settings, 0, Output::Radiance);
+    s.resolve(settings);
+  } else {
+    s.drawPicture(views, size, settings);
+  }
   glFinish();
-  return state_->picture->raw.id();
+  return s.picture->raw.id();
 }
 
 unsigned Renderer::refineTexture(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample) {
   State& s = *state_;
-  if (sample <= 1) s.accumulate(views, size, settings, 0, Output::Display);
-  s.accumulate(views, size, settings, sample, Output::Display);
-  s.resolve();
+  // The first of a reference is there already.
+  if (sample <= 1 && settings.reference == 0) s.accumulate(views, size, settings, 0, Output::Display);
+  s.accumulate(views, size, settings, sample, State::outputOf(settings));
+  s.resolve(settings);
   glFinish();
   return s.picture->raw.id();
 }

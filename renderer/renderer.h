@@ -28,6 +28,7 @@ struct AreaLightsInfo {
   const char* doc;
 };
 std::span<const AreaLightsInfo> areaLightMethods();
+inline constexpr int kMostReferenceSamples = 65536;
 enum class Background { Environment, Blur, None, Color };
 
 // A picture's view of the scene: the lit one, the white furnace, or one of the buffers.
@@ -57,6 +58,9 @@ struct RenderSettings {
   bool compensate = false;
   AreaLights areaLights = AreaLights::Cosines;
   int samples = 1;                             // jittered frames averaged, >= 1
+  // Monte Carlo samples of each pixel, over all of those frames together; 0: lights and environment are approximated. The
+  // truth is an average of radiance, which is tone mapped as a whole.
+  int reference = 0;
   // What an environment does to a model may be coarse where it would have to be made first: for a picture now. See
   // Renderer::refineTable().
   bool coarse = false;
@@ -101,7 +105,7 @@ class Renderer {
   unsigned drawToTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&);
 
   // Adds one more jittered sample to the average shown by drawToTexture; with the same arguments as that call.
-  // `sample` counts from 1.
+  // `sample` counts from 1. With a reference, that call and each of this one draw reference / samples samples a pixel.
   unsigned refineTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&, int sample);
 
   // Makes one of the tables that were coarse in the last picture fine, which takes a few tenths of a second; false when

@@ -5,9 +5,10 @@
 namespace glint {
 
 std::vector<std::string> Frame::outputDefines() const {
-  if (output == Output::Radiance) return {"SCENE_REFERRED"};
-  return {fmt::format("TONEMAP {}", static_cast<int>(settings.tonemap))};
+  return output == Output::Radiance ? std::vector<std::string>{"SCENE_REFERRED"} : displayDefines();
 }
+
+std::vector<std::string> Frame::displayDefines() const { return {fmt::format("TONEMAP {}", static_cast<int>(settings.tonemap))}; }
 
 void Frame::beginRectangles() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);

@@ -57,6 +57,7 @@ struct Frame {
   bool isLit() const { return settings.view == "lit" || isFurnace(); }
   // Of programs that end in outputColor() of shaders/common/output.glsl.
   std::vector<std::string> outputDefines() const;
+  std::vector<std::string> displayDefines() const;   // and in displayed() of shaders/common/tonemap.glsl
 
   glm::ivec2 size() const { return {targets.width(), targets.height()}; }
   // The state of every pass that draws rectangles where the stencil is right.

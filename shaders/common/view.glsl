@@ -26,3 +26,4 @@ vec3 worldPosition(vec2 pixel, float depthValue) {
 }
 
 vec3 environmentFromWorld(vec3 d) { return vec3(dot(view.environmentX.xyz, d), d.y, dot(view.environmentZ.xyz, d)); }
+vec3 worldFromEnvironment(vec3 d) { return d.x * view.environmentX.xyz + vec3(0.0, d.y, 0.0) + d.z * view.environmentZ.xyz; }

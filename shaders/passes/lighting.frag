@@ -8,20 +8,8 @@
 
 layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
-uniform vec4 standardParameters;  // where no material varies them
-uniform bool plainNonmetal;
-
-struct DirectionalLight {
-  vec4 direction;  // towards the light
-  vec4 radiance;   // lux: E = radiance NoL
-};
-layout(std140, binding = 2) uniform DirectionalLights { DirectionalLight directional[16]; };
-
-#if defined(POINT_LIGHTS) || defined(PLACED_LIGHTS)
-#include "shaders/common/lights.glsl"
-// In the order of the tiles' lists, PointBlock and PlacedBlock of renderer/prepared_view.h. A texture, because software GL reads those eight pixels at a time and storage buffers one by one.
-layout(binding = 8) uniform samplerBuffer tileLights;
-#endif
+#include "shaders/common/shaded_pixel.glsl"
+#include "shaders/common/scene_lights.glsl"
 
 #ifdef ENVIRONMENT
 layout(binding = 6) uniform samplerCube prefilteredEnvironment;
@@ -126,12 +114,6 @@ Receiver receiver(Shading s, Parameters p) {
   return r;
 }
 
-PlacedLight placedLightAt(int texel, int kind, vec3 position) {
-  vec4 at = texelFetch(tileLights, texel);
-  return PlacedLight(kind, at.xyz - position, at.w, texelFetch(tileLights, texel + 1).w, texelFetch(tileLights, texel + 2).xyz,
-                     texelFetch(tileLights, texel + 3).xyz, texelFetch(tileLights, texel + 4).xy);
-}
-
 // What a model sends on of a light of 1 candela.
 vec3 placedLight(PlacedLight light, Receiver receiver, Shading s, Parameters p) {
   float falloff = attenuation(light);
@@ -181,63 +163,20 @@ vec3 placedLight(PlacedLight light, Receiver receiver, Shading s, Parameters p) 
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  Surface surface = readSurface(pixel);
-  vec3 N = surface.normal;
-  vec3 V = towardsViewer(gl_FragCoord.xy);
-#ifdef FURNACE
-  surface.baseColor = vec3(1.0);
-  surface.metallic = surface.cavity = surface.ambientOcclusion = 1.0;
-#endif
-
+  Surface surface;
   Shading s;
-  setRoughness(s, surface.roughness);
-  setView(s, N, V);
-  setColors(s, surface.baseColor, surface.metallic, surface.specular);
-  s.analyticLight = true;
-  s.plainNonmetal = plainNonmetal;
-#ifdef MODEL_TANGENT
-  s.T = readTangent(pixel, N);
-#else
-  s.T = anyTangent(N);
-#endif
-  s.B = cross(N, s.T);
-#ifdef READS_PARAMETERS
-  Parameters p = modelParameters(texelFetch(gParameters, pixel, 0));
-#else
-  Parameters p = modelParameters(standardParameters);
-#endif
-  modelColors(s, p);
-#ifdef FURNACE
-  // A white metal whatever colours the model makes: how much light it sends back is its lobe's alone.
-  s.F0 = vec3(1.0);
-  s.diffuseColor = vec3(0.0);
-  s.plainNonmetal = false;
-#endif
-  modelTurn(s, p);
-  modelPrepare(s, p);
+  Parameters p;
+  shadePixel(pixel, surface, s, p);
+  vec3 N = s.N, V = s.V;
 
-  vec3 radiance = vec3(0.0);
-  for (int i = 0; i < view.directionalCount; ++i) {
-    vec3 L = directional[i].direction.xyz;
-    setLight(s, L);
-    radiance += modelLit(s, p) * directional[i].radiance.rgb * max(dot(N, L), 0.0);
-    if (modelScatters) radiance += modelScattered(s, p) * directional[i].radiance.rgb;
-  }
+  vec3 radiance = directionalLights(s, p);
 #if defined(POINT_LIGHTS) || defined(PLACED_LIGHTS)
   vec3 position = worldPosition(gl_FragCoord.xy, texelFetch(gDepth, pixel, 0).r);
   int texel = inLights.x;
 #endif
 #ifdef POINT_LIGHTS
-  for (int i = 0; i < inLights.y; ++i, texel += 2) {
-    vec4 lightPosition = texelFetch(tileLights, texel), intensity = texelFetch(tileLights, texel + 1);
-    vec3 toLight = lightPosition.xyz - position;
-    float distance2 = dot(toLight, toLight);
-    vec3 L = toLight * inversesqrt(max(distance2, 1e-12));
-    float falloff = windowedFalloff(distance2, lightPosition.w, intensity.w);
-    setLight(s, L);
-    radiance += modelLit(s, p) * (intensity.rgb * (falloff * max(dot(N, L), 0.0)));
-    if (modelScatters) radiance += modelScattered(s, p) * (intensity.rgb * falloff);
-  }
+  radiance += pointLights(s, p, position, texel, inLights.y);
+  texel += inLights.y * kPointLightTexels;
 #endif
 #ifdef PLACED_LIGHTS
   // A loop for each kind: software GL runs through all that a loop holds.

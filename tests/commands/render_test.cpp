@@ -38,6 +38,27 @@ TEST(Render, WritesAPictureThatSaysWhatMadeIt) {
   EXPECT_EQ(filesIn(scratch()), std::vector<std::string>{"out.png"});
 }
 
+// The truth beside the approximation: no samples at all away from it in the dark, and as many as may be asked for.
+TEST(Render, Reference) {
+  const auto picture = [](const std::string& samples, const std::string& file) {
+    std::vector<std::string> arguments = {"render", "--size", "8x8", "--env", "none", "--light", "sphere:pos=1/1/2,size=0.5,cd=5", "-o", file};
+    if (!samples.empty()) arguments.insert(arguments.end(), {"--reference", samples});
+    const auto ran = glint(arguments);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    auto image = readImageF(scratch() / file);
+    EXPECT_TRUE(image);
+    double sum = 0;
+    for (const float v : image->data) sum += double(v);
+    return sum;
+  };
+  const double fast = picture("", "fast.exr"), truth = picture("65536", "truth.exr");
+  EXPECT_GT(truth, 1);
+  EXPECT_NEAR(fast, truth, 0.1 * truth);
+  EXPECT_NEAR(picture("1", "one.exr"), truth, 0.3 * truth);
+  const auto compared = glint({"compare", "--models", "ggx,burley", "--sweep", "roughness=0.2..0.8:2", "--cell", "32", "--reference", "4", "-o", "sheet.png"});
+  EXPECT_EQ(compared.code, 0) << compared.err;
+}
+
 // Names are whatever a file says; none of them may stand where a format wants a word of its own.
 TEST(Render, AnyNameOfAFileIsTakenDown) {
   std::ofstream(scratch() / "m.json") << R"({"glint": "material", "version": 1, "name": "Größe 日本\n\u0000 )" + std::string(300, 'x') +

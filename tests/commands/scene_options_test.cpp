@@ -105,7 +105,8 @@ TEST(SceneOptions, EveryFaultIsReportedAtItsOption) {
   expectFault("light", "point:pos=1/1/1,cd=-4", "out of range");
   expectFault("set", "roughness", "NAME=VALUE");
   expectFault("model", "ggx,burley", "2 models");
-  expectFault("reference", "64", "not in this version");
+  for (const char* bad : {"0", "65537", "-1"}) expectFault("reference", bad, "out of range");
+  expectFault("reference", "2.5", "whole");
 }
 
 TEST(SceneOptions, FaultsComeTogether) {
