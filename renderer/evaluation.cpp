@@ -12,6 +12,7 @@
 #include "materials/terms.h"
 #include "renderer/evaluation_arguments.h"
 #include "renderer/evaluation_batch.h"
+#include "renderer/evaluation_light.h"
 #include "renderer/multiple_scattering.h"
 #include "renderer/quadrature.h"
 
@@ -20,9 +21,6 @@ namespace {
 
 using std::numbers::pi;
 using namespace evaluation;
-
-using Values = std::map<std::string, std::vector<double>>;
-using Finish = std::function<Values(const Batch&)>;  // called after the batch has run
 
 IntegralQuery query(const EvaluationRequest& request, double NoV) {
   return {static_cast<float>(roughness(request)), static_cast<float>(NoV), !underEnvironment(request)};
@@ -373,6 +371,8 @@ const std::map<std::string, Handler, std::less<>>& handlers() {
   };
   static const std::map<std::string, Handler, std::less<>> table = {
       {"normalisation", plain(normalisation)},
+      {"area_light", plain(areaLight)},
+      {"environment_light", plain(environmentLight)},
       {"directional_albedo", plain(directionalAlbedo)},
       {"average_albedo", plain(averageAlbedo)},
       {"environment_brdf", environmentBrdf},

@@ -5,7 +5,9 @@
 // tables that Glint derived for pictures, have it, and results say so where it counts.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -16,6 +18,17 @@
 
 namespace glint {
 
+// Radiance by direction d: constant + linear . d + the sum of amplitude exp(sharpness (d . axis - 1)), at least 0.
+struct EnvironmentFormula {
+  struct Lobe {
+    glm::dvec3 axis{0, 0, 1};   // unit
+    double amplitude = 0, sharpness = 1;
+  };
+  double constant = 0;
+  glm::dvec3 linear{0};
+  std::vector<Lobe> lobes;
+};
+
 struct EvaluationRequest {
   // A term ("D_GGX", "G_SmithGGX", "V_Neumann", "F_Schlick", "Fd_EON", "f_ggx" for a model's value) or a quantity
   // ("directional_albedo").
@@ -23,7 +36,10 @@ struct EvaluationRequest {
   std::map<std::string, double, std::less<>> numbers;                 // arguments: "r", "NoV"
   std::map<std::string, std::vector<double>, std::less<>> vectors;    // and those with several: "baseColor"
   std::map<std::string, std::string, std::less<>> names;              // "model", "D", "G", "F": what is asked about
-  std::set<std::string> extras;                                       // further values wanted, by name
+  std::set<std::string> extras;                                       // further values wanted, by name; of what is within others "a.b"
+  // Of what is asked of several models at once: names for the values, and ids. May be empty.
+  std::vector<std::pair<std::string, std::string>> models;
+  std::shared_ptr<const EnvironmentFormula> environment;              // may be null
 };
 
 struct EvaluationResult {

@@ -27,6 +27,7 @@ constexpr Range kCosine{0, 1, false, "a cosine above the surface is from 0 to 1"
 constexpr Range kAnyCosine{-1, 1, false, "a cosine is from -1 to 1"};
 constexpr Range kPositive{0, kLongest, true, "it is above 0"};
 constexpr Range kLength{0, kLongest, false, "a length is from 0 to 1e9 m"};
+constexpr Range kPlace{-kLongest, kLongest, false, "a place is within 1e9 m"};
 constexpr Range kSwitch{0, 1, false, "0 is off, 1 is on"};
 
 struct Rule {
@@ -49,6 +50,10 @@ constexpr Rule kRules[] = {
     {"gloss", ArgumentKind::Number, kUnit},        {"metallic", ArgumentKind::Number, kUnit},
     {"specular", ArgumentKind::Number, kUnit},     {"distance", ArgumentKind::Number, kLength},
     {"lightRadius", ArgumentKind::Number, kPositive}, {"sourceRadius", ArgumentKind::Number, kLength},
+    {"radius", ArgumentKind::Number, {1e-6, kLongest, false, "a light with a surface has a radius above 0"}},
+    {"view_azimuth", ArgumentKind::Number, {-kLongest, kLongest, false, "an angle in radians"}},
+    {"center", ArgumentKind::Numbers, kPlace},     {"L0", ArgumentKind::Numbers, kPlace},
+    {"L1", ArgumentKind::Numbers, kPlace},         {"env", ArgumentKind::Name, {}},
     {"environment", ArgumentKind::Number, kSwitch}, {"compensate", ArgumentKind::Number, kSwitch},
     {"l", ArgumentKind::Numbers, kAnyCosine},      {"v", ArgumentKind::Numbers, kAnyCosine},
     {"baseColor", ArgumentKind::Numbers, {0, 1, false, "a base color is from 0 to 1 in each channel"}},

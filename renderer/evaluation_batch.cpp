@@ -36,6 +36,16 @@ void Batch::run() {
   for (Model& m : models_) runModel(m);
 }
 
+ReferenceProbe& Batch::reference() const {
+  if (!reference_) reference_ = std::make_unique<ReferenceProbe>();
+  return *reference_;
+}
+
+const EnvironmentSampler& Batch::environment(const EnvironmentFormula& formula, const std::function<ImageF()>& make) const {
+  const auto found = environments_.find(&formula);
+  return found != environments_.end() ? found->second : environments_.emplace(&formula, EnvironmentSampler(make())).first->second;
+}
+
 size_t Batch::model(const std::string& id, const std::map<std::string, double>& parameters, bool compensate) {
   std::string key = id + (compensate ? " compensated" : "");
   for (const auto& [name, value] : parameters) key += fmt::format(" {}={}", name, value);

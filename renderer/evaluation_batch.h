@@ -3,7 +3,9 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "renderer/evaluation.h"
 #include "renderer/model_integrals.h"
 #include "renderer/model_probe.h"
+#include "renderer/reference_probe.h"
 
 namespace glint::evaluation {
 
@@ -39,6 +42,12 @@ class Batch {
 
   void run();
 
+  const ModelRegistry& registry() const { return registry_; }
+  // Asked when all else has run.
+  ReferenceProbe& reference() const;
+  // A formula's, made once of the picture that `make` gives.
+  const EnvironmentSampler& environment(const EnvironmentFormula&, const std::function<ImageF()>& make) const;
+
  private:
   struct Model {
     ModelPtr model;
@@ -61,6 +70,12 @@ class Batch {
   std::vector<glm::dvec4> pointValues_;
   std::vector<Model> models_;
   std::map<std::string, size_t> modelIndex_;
+  mutable std::unique_ptr<ReferenceProbe> reference_;
+  mutable std::map<const EnvironmentFormula*, EnvironmentSampler> environments_;
 };
+
+// The values of one request, named, once the batch has run.
+using Values = std::map<std::string, std::vector<double>>;
+using Finish = std::function<Values(const Batch&)>;
 
 }  // namespace glint::evaluation

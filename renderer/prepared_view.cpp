@@ -153,7 +153,14 @@ LightKind shapeOf(const Light& light) {
   return light.kind;
 }
 
-PlacedBlock placedBlock(const Light& light, const PointBlock& point) {
+PointBlock pointBlock(const Light& light) {
+  return {glm::vec4(light.position, 1 / (light.radius * light.radius)), glm::vec4(light.color * light.candela, light.constant)};
+}
+
+}  // namespace
+
+PlacedBlock placedBlock(const Light& light) {
+  const PointBlock point = pointBlock(light);
   glm::vec3 right, up;
   acrossAxis(light, right, up);
   PlacedBlock block{point.position, point.intensity, glm::vec4(light.axis, 0), glm::vec4(right, 0), {}};
@@ -167,8 +174,6 @@ PlacedBlock placedBlock(const Light& light, const PointBlock& point) {
   }
   return block;
 }
-
-}  // namespace
 
 PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vector<int>& groupOfMaterial, size_t groups,
                          float exposureScale, int environmentLevels, glm::vec2 jitter) {
@@ -222,9 +227,8 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   std::stable_sort(reaching.begin(), reaching.end(), [](const Light& a, const Light& b) { return a.kind < b.kind; });
   for (const Light& light : reaching) {
     prepared.kinds |= 1u << static_cast<unsigned>(light.kind);
-    const PointBlock point{glm::vec4(light.position, 1 / (light.radius * light.radius)), glm::vec4(light.color * light.candela, light.constant)};
-    if (light.kind == LightKind::Point) prepared.points.push_back(point);
-    else prepared.placed.push_back(placedBlock(light, point));
+    if (light.kind == LightKind::Point) prepared.points.push_back(pointBlock(light));
+    else prepared.placed.push_back(placedBlock(light));
   }
   block.directionalCount = static_cast<int32_t>(prepared.directional.size());
 

@@ -40,6 +40,8 @@ struct PlacedBlock {
   glm::vec4 extent;
 };
 static_assert(sizeof(PlacedBlock) == kPlacedTexels * 16);
+// Of a light that has a place and is none of points.
+PlacedBlock placedBlock(const Light&);
 
 // The visible part of one instance, as ranges of its mesh's indices.
 struct PreparedInstance {

@@ -62,28 +62,63 @@ std::string subjectOf(const Json& entry, Faults& faults) {
       faults.push_back({fmt::format("'{}' is {}, not a text", key, name(text->kind)), "name what is to be evaluated, for example \"D_GGX\""});
     }
   if (entry.find("model") && (entry.find("fresnel") || entry.find("A"))) return "environment_brdf";
+  if (entry.find("radius") && (entry.find("center") || entry.find("L0"))) return "area_light";
+  if (entry.find("env")) return "environment_light";
   return {};
+}
+
+// The names of an object's values, and those within them as "a.b".
+void gatherNames(const Json& object, const std::string& prefix, std::set<std::string>& names) {
+  for (size_t i = 0; i < object.keys.size(); ++i) {
+    names.insert(prefix + object.keys[i]);
+    if (object.items[i].isObject()) gatherNames(object.items[i], prefix + object.keys[i] + ".", names);
+  }
+}
+
+// What a table says of its environments.
+std::shared_ptr<const EnvironmentFormula> readFormula(const Json& described) {
+  auto formula = std::make_shared<EnvironmentFormula>();
+  const auto number = [](const Json* value, double low, double high, double& to) {
+    if (!value || !value->isNumber() || !(value->number >= low && value->number <= high)) return false;
+    to = value->number;
+    return true;
+  };
+  const auto vector = [&](const Json* value, glm::dvec3& to) {
+    bool good = value && value->isArray() && value->items.size() == 3;
+    for (int i = 0; good && i < 3; ++i) good = number(&value->items[static_cast<size_t>(i)], -1e6, 1e6, to[i]);
+    return good;
+  };
+  if (!described.isObject() || !number(described.find("constant"), 0, 1e6, formula->constant) || !vector(described.find("linear"), formula->linear)) return nullptr;
+  const Json* lobes = described.find("sg");
+  if (!lobes || !lobes->isArray() || lobes->items.size() > 64) return nullptr;
+  for (const Json& lobe : lobes->items) {
+    EnvironmentFormula::Lobe& read = formula->lobes.emplace_back();
+    if (!lobe.isObject() || !vector(lobe.find("axis"), read.axis) || !(std::abs(glm::length(read.axis) - 1) < 1e-3) ||
+        !number(lobe.find("amplitude"), 0, 1e6, read.amplitude) || !number(lobe.find("sharpness"), 0, 1e4, read.sharpness)) return nullptr;
+  }
+  return formula;
 }
 
 Work readEntry(const Json& entry, const std::string& id, const Json* models, Faults& faults) {
   Work work{id, entry.line, {}};
   work.request.what = subjectOf(entry, faults);
   const auto mixOf = [](const Json& parts) { return parts.isArray() && parts.items.size() >= 3 ? &parts : nullptr; };
-  for (const char* key : {"model", "D", "G", "V", "F", "diffuse", "l", "v"})
+  for (const char* key : {"model", "D", "G", "V", "F", "diffuse", "l", "v", "r", "center", "L0", "L1", "radius", "env"})
     if (const Json* value = entry.find(key); value && !(key == std::string_view("model") && mixOf(*value)))
       readArgument(key, *value, work.request, faults);
   // The tables' own ways to write D x G x F: its parts, or a name for them.
   const auto named = work.request.names.find("model");
   const Json* parts = entry.find("model") ? mixOf(*entry.find("model")) : nullptr;
   if (const Json* listed = models && named != work.request.names.end() ? models->find(named->second) : nullptr) parts = mixOf(*listed);
-  if (parts) {
+  const auto mixId = [&](const Json& listed) {
     std::vector<std::string> names;
-    for (const Json& part : parts->items) {
+    for (const Json& part : listed.items) {
       if (part.isString()) names.push_back(part.text);
       else faults.push_back({fmt::format("'model' holds {}", name(part.kind)), "name D, G and F, and the diffuse part if there is one"});
     }
-    work.request.names["model"] = fmt::format("{}", fmt::join(names, "*"));
-  }
+    return fmt::format("{}", fmt::join(names, "*"));
+  };
+  if (parts) work.request.names["model"] = mixId(*parts);
   if (const Json* args = entry.find("args")) {
     if (!args->isObject()) faults.push_back({"'args' is not an object", "name each argument"});
     for (size_t i = 0; args->isObject() && i < args->keys.size(); ++i) {
@@ -92,7 +127,12 @@ Work readEntry(const Json& entry, const std::string& id, const Json* models, Fau
       readArgument(args->keys[i], args->items[i], work.request, faults);
     }
   }
-  for (const std::string& key : entry.keys) work.request.extras.insert(key);
+  if (work.request.what == "area_light" && models && models->isObject())
+    for (const std::string& name : models->keys)
+      if (const Json* listed = mixOf(*models->find(name))) work.request.models.emplace_back(name, mixId(*listed));
+  if (const Json* own = entry.find("models"); work.request.what == "environment_light" && own && own->isObject())
+    for (const std::string& name : own->keys) work.request.models.emplace_back(name, name);
+  gatherNames(entry, "", work.request.extras);
   return work;
 }
 
@@ -111,6 +151,12 @@ Result<std::vector<Work>> readWork(const std::string& file, const ModelRegistry&
   const Json* models = document->find("models");
   const std::vector<Term> library = terms();
   Diagnostics problems;
+  std::map<std::string, std::shared_ptr<const EnvironmentFormula>> environments;
+  if (const Json* described = document->find("environments"); described && described->isObject())
+    for (size_t i = 0; i < described->keys.size(); ++i)
+      if (!(environments[described->keys[i]] = readFormula(described->items[i])))
+        problems.push_back(error(fmt::format("{}:{}: environment '{}'", file, described->items[i].line, described->keys[i]), "is not described as it must be",
+                                 R"(write {"constant": 0.2, "linear": [0, 0, 0.1], "sg": [{"axis": [0, 0, 1], "amplitude": 3, "sharpness": 12}]})"));
   std::vector<Work> work;
   std::map<std::string, size_t> seen;  // ids, and where they were first
   for (size_t i = 0; i < entries->items.size(); ++i) {
@@ -126,6 +172,8 @@ Result<std::vector<Work>> readWork(const std::string& file, const ModelRegistry&
       if (const auto [first, fresh] = seen.try_emplace(id, i); !fresh)
         faults.push_back({fmt::format("has the id of entry {} in line {}", first->second + 1, entries->items[first->second].line), "give each an id of its own"});
       Work read = readEntry(entry, id, models, faults);
+      if (const auto named = read.request.names.find("env"); named != read.request.names.end())
+        if (const auto found = environments.find(named->second); found != environments.end()) read.request.environment = found->second;
       for (EvaluationFault& fault : faultsOf(read.request, registry, library)) faults.push_back(std::move(fault));
       work.push_back(std::move(read));
     }
@@ -179,7 +227,9 @@ int run(const Arguments& arguments) {
       if (!results[i].note.empty()) notes.push_back(warning(place, results[i].note, "ask for a greater roughness, or for single terms"));
       // Values that an entry lists under its own names are asked for; others would be compared with nothing.
       EvaluationResult kept = results[i];
-      if (kept.values.size() > 1)
+      const bool ofLight = requests[i].what == "area_light" || requests[i].what == "environment_light";
+      const bool lists = std::any_of(kept.values.begin(), kept.values.end(), [&](const auto& v) { return requests[i].extras.count(v.first) != 0; });
+      if (kept.values.size() > 1 && (lists || !ofLight))
         std::erase_if(kept.values, [&](const auto& v) { return v.first != "value" && v.first != "A" && v.first != "B" &&
                                                                !requests[i].extras.count(v.first); });
       values.push_back({{"id", (*work)[i].id}, {"value", valueJson(kept)}});
