@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "materials/base/files.h"
 #include "tests/support/program.h"
@@ -48,6 +49,62 @@ TEST(EvalCommand, MatchesTheExactValues) {
     compared += values[i]["value"].is_object() ? values[i]["value"].size() : 1;
   }
   EXPECT_GT(compared, values.size()) << "entries with several values have them all";
+}
+
+// Every value of an entry that a name with dots leads to.
+void compareAll(const json& entry, const json& measured, double exactly, double approximately) {
+  for (const auto& [name, value] : measured.items()) {
+    const json* truth = &entry;
+    for (size_t at = 0; at <= name.size();) {
+      const size_t end = std::min(name.find('.', at), name.size());
+      const auto found = truth->find(name.substr(at, end - at));
+      ASSERT_NE(found, truth->end()) << entry["id"] << " has no " << name;
+      truth = &*found;
+      at = end + 1;
+    }
+    const double tolerance = name.starts_with("approx.") ? approximately : exactly;
+    EXPECT_NEAR(value.get<double>(), truth->get<double>(), 1e-6 + tolerance * std::abs(truth->get<double>())) << entry["id"] << " " << name;
+  }
+}
+
+// By Monte Carlo: spheres and tubes, beside what representative points make of them, and environments with their split sums.
+TEST(EvalCommand, MatchesTheExactLight) {
+  for (const auto& [name, exactly, values] : {std::tuple{"area_lights.json", 5e-3, 43u}, {"environment_light.json", 1e-3, 44u}}) {
+    const auto file = std::filesystem::path(GLINT_TESTS_DIR) / "data" / name;
+    const auto ran = glint({"eval", file.string()});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    const json table = json::parse(*readFile(file)), measured = json::parse(ran.out);
+    ASSERT_EQ(measured.size(), table["entries"].size());
+    for (size_t i = 0; i < measured.size(); ++i) {
+      EXPECT_GE(measured[i]["value"].size(), values) << "all that is listed";
+      compareAll(table["entries"][i], measured[i]["value"], exactly, 1e-4);
+    }
+  }
+}
+
+TEST(EvalCommand, LightsThatCannotBeAreNamed) {
+  write("work.json", R"({"environments": {"odd": {"constant": "bright"}, "dim": {"constant": 0.1, "linear": [0, 0, 0], "sg": []}}, "entries": [
+    {"id": "a", "kind": "sphere", "r": 0.5, "v": [0, 0, 1], "center": [0, 0, 1], "radius": 0},
+    {"id": "b", "kind": "sphere", "r": 0.5, "v": [0, 0, 2], "center": [0, 0, 1], "radius": 0.1}]})");
+  auto ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_THAT(ran.err, HasSubstr("environment 'odd': is not described"));
+  EXPECT_THAT(ran.err, HasSubstr("radius 0 is out of range"));
+  EXPECT_THAT(ran.err, HasSubstr("'v' is 2 long"));
+  write("work.json", R"({"entries": [
+    {"id": "a", "kind": "tube", "r": 0.5, "v": [0, 0, 1], "L0": [0, 0, 1], "L1": [0, 0, 1], "radius": 0.1},
+    {"id": "b", "env": "none such", "args": {"r": 0.5, "NoV": 1}, "v": [0, 0, 1]},
+    {"id": "c", "kind": "sphere", "r": 0.5, "v": [0, 0, 1], "center": [0, 0], "radius": 0.1},
+    {"id": "d", "kind": "sphere", "r": 1, "v": [0, 0, 1], "center": [0, 0, 2], "radius": 0.5}]})");
+  ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.err, HasSubstr("the tube has no length"));
+  EXPECT_THAT(ran.err, HasSubstr("no environment of that name"));
+  EXPECT_THAT(ran.err, HasSubstr("needs 'center' as 3 numbers"));
+  const json values = json::parse(ran.out);
+  ASSERT_EQ(values.size(), 1u);
+  EXPECT_NEAR(values[0]["value"]["reference.irradiance"].get<double>(), 0.25, 1e-3) << "an entry that lists nothing has everything";
 }
 
 TEST(EvalCommand, TakesAListOfItsOwn) {
