@@ -50,7 +50,7 @@ constexpr Rule kRules[] = {
     {"gloss", ArgumentKind::Number, kUnit},        {"metallic", ArgumentKind::Number, kUnit},
     {"specular", ArgumentKind::Number, kUnit},     {"distance", ArgumentKind::Number, kLength},
     {"lightRadius", ArgumentKind::Number, kPositive}, {"sourceRadius", ArgumentKind::Number, kLength},
-    {"radius", ArgumentKind::Number, {1e-6, kLongest, false, "a light with a surface has a radius above 0"}},
+    {"radius", ArgumentKind::Number, {1e-4, kLongest, false, "a light with a surface has a radius of 0.0001 m and more"}},
     {"view_azimuth", ArgumentKind::Number, {-kLongest, kLongest, false, "an angle in radians"}},
     {"center", ArgumentKind::Numbers, kPlace},     {"L0", ArgumentKind::Numbers, kPlace},
     {"L1", ArgumentKind::Numbers, kPlace},         {"env", ArgumentKind::Name, {}},
