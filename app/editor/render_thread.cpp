@@ -257,8 +257,10 @@ void RenderThread::computePlot(PlotComputer& plots, PlotRequest request) {
 bool RenderThread::finish(Renderer& renderer) {
   if (renderer.refineTable()) return true;
   settings_.coarse = false;
+  const auto start = Clock::now();
   last_.texture = keep(renderer.drawToTexture(views_, last_.size, settings_), last_.size);
   last_.coarse = false;
+  last_.milliseconds = since(start);
   publish(last_);
   return true;
 }
