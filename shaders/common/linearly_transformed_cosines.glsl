@@ -5,6 +5,7 @@
 // A lobe of one view: frame x in the plane of the view, z the normal.
 struct CosineLobe {
   mat3 fromWorld;      // into that frame, and then into that of the cosine
+  mat3 toWorld;        // its inverse
   float density;       // |determinant| of fromWorld
 };
 
@@ -15,7 +16,8 @@ CosineLobe cosineLobe(vec3 N, vec3 V, vec4 inverse) {
   mat3 frame = mat3(X, cross(N, X), N);
   mat3 m = mat3(inverse.x, 0.0, inverse.z, 0.0, 1.0, 0.0, inverse.y, 0.0, inverse.w);
   float d = inverse.x * inverse.w - inverse.y * inverse.z;
-  return CosineLobe(m * transpose(frame), abs(d));
+  mat3 back = mat3(inverse.w, 0.0, -inverse.z, 0.0, d, 0.0, -inverse.y, 0.0, inverse.x) * (1.0 / d);
+  return CosineLobe(m * transpose(frame), frame * back, abs(d));
 }
 
 // sphereFormFactor() to a few hundredths, for a fraction of its time.
@@ -34,13 +36,36 @@ void cutAtHorizon(vec3 N, inout vec3 center, inout float sine2) {
   sine2 *= seen;
 }
 
-// Through a lobe, of a disc above the horizon; `center` need not be a unit vector.
+// Through a lobe, of a disc above the horizon towards `center`: the ellipse that the lobe sees (Heitz and Hill 2017).
 float discThrough(CosineLobe lobe, vec3 center, float sine2) {
-  // As round as it was: the tangents of its angles grow with the root of the density.
+  center = normalize(center);
   vec3 c = lobe.fromWorld * center;
-  float shorter = inversesqrt(dot(c, c));
-  float tan2 = sine2 / max(1.0 - sine2, 1e-6) * lobe.density * (shorter * shorter * shorter);
-  return discAboveHorizon(c.z * shorter, tan2 / (1.0 + tan2));
+  float shorter = inversesqrt(dot(c, c)), size2 = sine2 * lobe.density * (shorter * shorter * shorter);
+  // A small one is its middle.
+  if (size2 < 2.5e-3) return max(c.z * shorter, 0.0) * size2;
+  // The cone of its directions is where a quadratic form is negative; written without differences of large numbers.
+  vec3 ax = cross(lobe.toWorld[0], center), ay = cross(lobe.toWorld[1], center), az = cross(lobe.toWorld[2], center);
+  float xx = dot(ax, ax) - sine2 * dot(lobe.toWorld[0], lobe.toWorld[0]), yy = dot(ay, ay) - sine2 * dot(lobe.toWorld[1], lobe.toWorld[1]),
+        zz = dot(az, az) - sine2 * dot(lobe.toWorld[2], lobe.toWorld[2]), xy = dot(ax, ay) - sine2 * dot(lobe.toWorld[0], lobe.toWorld[1]),
+        xz = dot(ax, az) - sine2 * dot(lobe.toWorld[0], lobe.toWorld[2]), yz = dot(ay, az) - sine2 * dot(lobe.toWorld[1], lobe.toWorld[2]);
+  // Its eigenvalues (Smith 1961), one of them negative.
+  float mean = (xx + yy + zz) / 3.0;
+  vec3 diagonal = vec3(xx, yy, zz) - mean;
+  float spread = sqrt(max((dot(diagonal, diagonal) + 2.0 * (xy * xy + xz * xz + yz * yz)) / 6.0, 1e-30));
+  diagonal /= spread;
+  vec3 off = vec3(yz, xz, xy) / spread;
+  float determinant = diagonal.x * (diagonal.y * diagonal.z - off.x * off.x) - off.z * (off.z * diagonal.z - off.x * off.y) +
+                      off.y * (off.z * off.x - diagonal.y * off.y);
+  float angle = acos(clamp(0.5 * determinant, -1.0, 1.0)) / 3.0;
+  float largest = mean + 2.0 * spread * cos(angle), least = mean + 2.0 * spread * cos(angle + 2.0 * kPi / 3.0), second = 3.0 * mean - largest - least;
+  vec3 rowX = vec3(xx - least, xy, xz), rowY = vec3(xy, yy - least, yz), rowZ = vec3(xz, yz, zz - least);
+  vec3 axis = cross(rowX, rowY), other = cross(rowY, rowZ);
+  if (dot(other, other) > dot(axis, axis)) axis = other;
+  other = cross(rowZ, rowX);
+  if (dot(other, other) > dot(axis, axis)) axis = other;
+  axis = dot(axis, axis) > 1e-30 ? normalize(axis) : c * shorter;
+  float tan2 = max(-least / max(largest, 1e-20), 0.0), tan2b = max(-least / max(second, 1e-20), 0.0);
+  return discAboveHorizon(dot(axis, c) < 0.0 ? -axis.z : axis.z, sqrt(tan2 / (1.0 + tan2)) * sqrt(tan2b / (1.0 + tan2b)));
 }
 
 // Over 2 pi, of an edge between two unit vectors: their cross product by the angle over its sine.
