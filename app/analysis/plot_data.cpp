@@ -318,6 +318,10 @@ void noteGaps(PlotData& data) {
 
 }  // namespace
 
+bool isPlotRoughness(const ShadingModel& model, const ModelParameter& parameter) {
+  return &parameter == model.parameter("roughness") && parameter.standard.type == ValueType::Float;
+}
+
 double channelValue(const glm::dvec3& color, PlotChannel channel) {
   switch (channel) {
     case PlotChannel::Red: return color.r;
@@ -401,7 +405,7 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
     // Unless the subject says another.
     const auto ownRoughness = [](const ShadingModel& of, const PlotSubject& subject, auto& made) -> OwnRoughness {
       const ModelParameter* own = of.parameter("roughness");
-      if (!own || own->standard.type != ValueType::Float) return {};
+      if (!own || !isPlotRoughness(of, *own)) return {};
       for (const auto& [name, value] : subject.parameters)
         if (name == own->name && !(value == own->standard)) return {};
       return [&made, own](float roughness) { made.set(own->name, Value::scalar(roughness)); };

@@ -78,6 +78,9 @@ class PlotComputer {
   uint64_t clock_ = 0;
 };
 
+// Whether a parameter of the model is the roughness that a plot asks for, as that of a .brdf file may be.
+bool isPlotRoughness(const ShadingModel&, const ModelParameter&);
+
 // The luminance of a linear colour, Rec.709; or one of its channels.
 double channelValue(const glm::dvec3&, PlotChannel);
 

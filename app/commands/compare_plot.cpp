@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/analysis/plot_layout.h"
 #include "app/analysis/plot_picture.h"
@@ -52,8 +53,9 @@ void setParameters(PlotSubject& subject, const std::vector<Setting>& settings, D
   std::string described;
   for (const Setting& setting : settings) {
     Diagnostic fault = error("--models", "", "");
+    const ModelParameter* parameter = subject.model->parameter(setting.name);
     const auto value = overrideValue(*subject.model, setting.name, setting.text);
-    if (findAttribute(setting.name)) {
+    if (!parameter && findAttribute(setting.name)) {
       fault = error("--models", fmt::format("'{}' is an attribute of the material, not a parameter of '{}'", setting.name, subject.model->id),
                     fmt::format("--set {}={} gives it to all models", setting.name, setting.text));
     } else if (!value) {
@@ -61,7 +63,7 @@ void setParameters(PlotSubject& subject, const std::vector<Setting>& settings, D
       if (fault.what.starts_with("is neither")) fault.what = fmt::format("model '{}' has no parameter '{}'", subject.model->id, setting.name);
       fault.place = "--models";
     } else {
-      subject.parameters.emplace_back(setting.name, *value);
+      subject.parameters.emplace_back(parameter->name, *value);
       described += fmt::format(", {} {}", setting.name, setting.text);
       continue;
     }
@@ -70,29 +72,33 @@ void setParameters(PlotSubject& subject, const std::vector<Setting>& settings, D
   subject.title += described;
 }
 
-// --set: attributes for all models, parameters for those that have them.
+// --set: parameters for the models that have them, attributes for all others. A roughness of a model's own is the plot's,
+// which may have several.
 std::vector<std::pair<std::string, glm::vec3>> applySettings(const std::vector<Setting>& settings, std::vector<PlotSubject>& subjects, Diagnostics& problems) {
   std::vector<std::pair<std::string, glm::vec3>> attributes;
   for (const Setting& setting : settings) {
+    const bool attribute = findAttribute(setting.name) != nullptr;
     PlotSettings trial;
-    if (findAttribute(setting.name) && !setAttribute(trial, setting.name, glm::vec3(0))) {
+    const bool owned = std::any_of(subjects.begin(), subjects.end(), [&](const PlotSubject& s) { return s.model->parameter(setting.name); });
+    if (attribute && !owned && !setAttribute(trial, setting.name, glm::vec3(0))) {
       problems.push_back(error("--set", fmt::format("no plot depends on '{}'", setting.name), "baseColor, metallic, specular and roughness are seen by models"));
       continue;
     }
-    bool taken = false;
+    bool taken = false, forAll = false;
     for (PlotSubject& subject : subjects) {
-      if (!findAttribute(setting.name) && !subject.model->parameter(setting.name)) continue;
+      const ModelParameter* parameter = subject.model->parameter(setting.name);
+      if (!attribute && !parameter) continue;
+      taken = true;
       const auto value = overrideValue(*subject.model, setting.name, setting.text);
       if (!value) {
         Diagnostic fault = value.diagnostics()[0];
         fault.place = "--set";
         if (std::find(problems.begin(), problems.end(), fault) == problems.end()) problems.push_back(std::move(fault));
-      } else if (findAttribute(setting.name)) {
-        if (!taken) attributes.emplace_back(setting.name, glm::vec3(value->v[0], value->v[1], value->v[2]));
-      } else {
-        subject.parameters.emplace_back(setting.name, *value);
+        continue;
       }
-      taken = true;
+      const bool ofPlot = attribute && (!parameter || isPlotRoughness(*subject.model, *parameter));
+      if (ofPlot && !std::exchange(forAll, true)) attributes.emplace_back(setting.name, glm::vec3(value->v[0], value->v[1], value->v[2]));
+      if (!ofPlot) subject.parameters.emplace_back(parameter->name, *value);
     }
     if (taken || subjects.empty()) continue;
     std::vector<std::string> known{"baseColor", "metallic", "specular", "roughness"};

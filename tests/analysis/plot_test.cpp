@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -397,6 +398,27 @@ TEST(PlotCommand, WritesFilesAndNumbers) {
   EXPECT_THAT(notes->at("Command"), HasSubstr("--plot lobe"));
   EXPECT_THAT(notes->at("Models"), HasSubstr(" ggx"));
   EXPECT_EQ(readImage8(scratch() / "lobe.png")->width, 400);
+}
+
+// A parameter that is named as an attribute is given as where spheres are drawn.
+TEST(PlotCommand, TakesParametersNamedAsAttributes) {
+  std::filesystem::copy_file(GLINT_TESTS_DIR "/data/brdf/brushed.brdf", scratch() / "brushed.brdf");
+  const auto atMirror = [](std::vector<std::string> more, const char* models, const char* plot = "lobe") {
+    more.insert(more.begin(), {"--models-dir", ".", "compare", "--models", models, "--plot", plot, "--size", "300x200", "-o", "p.png", "--json"});
+    const auto ran = testing_support::glint(more);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    if (ran.code != 0) return 0.0;
+    const auto curve = ran.json()["curves"][0];
+    return curve["y"][static_cast<size_t>(std::find(curve["x"].begin(), curve["x"].end(), 45.0) - curve["x"].begin())].get<double>();
+  };
+  const double standard = atMirror({}, "brushed"), rough = atMirror({}, "brushed:roughness=0.8"), dark = atMirror({}, "brushed:baseColor=0.1");
+  EXPECT_LT(rough, 0.7 * standard);
+  EXPECT_NEAR(atMirror({}, "brushed", "lobe:roughness=0.8"), rough, 1e-6 * rough);
+  EXPECT_NEAR(atMirror({"--set", "roughness=0.8"}, "brushed"), rough, 1e-6 * rough);
+  EXPECT_NEAR(atMirror({"--set", "baseColor=0.1"}, "brushed"), dark, 1e-6 * dark);
+  EXPECT_LT(dark, 0.3 * standard);
+  EXPECT_BAD_INPUT(testing_support::glint({"--models-dir", ".", "compare", "--models", "brushed:roughness=2", "--plot", "lobe", "-o", "p.png"}), "--models", "0.01 to 1 are allowed");
+  EXPECT_BAD_INPUT(testing_support::glint({"compare", "--models", "ggx:roughness=0.8", "--plot", "lobe", "-o", "p.png"}), "--models", "--set roughness=0.8 gives it to all");
 }
 
 TEST(PlotCommand, RefusesWhatIsForSpheres) {
