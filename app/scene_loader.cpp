@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "materials/base/log.h"
+#include "materials/model_file.h"
 #include "materials/model_mix.h"
 #include "renderer/environment.h"
 #include "renderer/gltf_loader.h"
@@ -28,6 +30,14 @@ Diagnostics Libraries::warnings() const {
   Diagnostics found;
   std::copy_if(models.problems().begin(), models.problems().end(), std::back_inserter(found),
                [](const Diagnostic& d) { return d.severity == Severity::Warning; });
+  return found;
+}
+
+Result<ModelPtr> Libraries::namedModel(const std::string& idOrFile, const std::string& place) const {
+  if (!isModelFile(idOrFile)) return model(idOrFile, place);
+  Diagnostics warnings;
+  auto found = models.named(idOrFile, &warnings);
+  log::report(warnings);
   return found;
 }
 
@@ -97,7 +107,7 @@ Result<Scene> loadScene(const SceneOptions& options, Libraries& libraries, Diagn
 
   ModelPtr model;  // null: the material's own
   if (options.model) {
-    auto found = libraries.model(options.model->id, "--model");
+    auto found = libraries.namedModel(options.model->id, "--model");
     if (found) model = *found;
     else append(faults, found.diagnostics());
   }

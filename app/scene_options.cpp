@@ -114,7 +114,7 @@ std::vector<Option> sceneOptionTable() {
   return {
       {"--mesh", "SHAPE or FILE", "sphere, plane, cube, shaderball, or a .glb or .gltf file"},
       {"--material", "M", "a material of the library by name, or a .json file"},
-      {"--model", "ID[:P=V,..]", "the shading model, and values for its parameters"},
+      {"--model", "ID[:P=V,..]", "the shading model by id, as a mix or by its file, and values for its parameters"},
       {"--set", "NAME=VALUE", "an attribute, or a parameter of the material or model (repeatable)", true},
       {"--env", "FILE or NAME", "a .hdr or .exr file, studio (the default), sky, furnace or none"},
       {"--env-rotation", "DEG", "turns the environment about +Y"},

@@ -149,11 +149,11 @@ bool ModelRegistry::refresh() {
 
 Result<ModelPtr> ModelRegistry::mix(std::string_view id) const {
   constexpr size_t kMost = 1000;  // terms allow about as many
-  const std::lock_guard lock(mixes_->mutex);
-  if (const auto found = mixes_->models.find(id); found != mixes_->models.end()) return found->second;
-  if (mixes_->models.size() >= kMost) mixes_->models.clear();
+  const std::lock_guard lock(made_->mutex);
+  if (const auto found = made_->mixes.find(id); found != made_->mixes.end()) return found->second;
+  if (made_->mixes.size() >= kMost) made_->mixes.clear();
   auto model = mixModel(id);
-  return mixes_->models
+  return made_->mixes
       .emplace(std::string(id), model ? Result<ModelPtr>(std::make_shared<const ShadingModel>(std::move(*model)))
                                       : Result<ModelPtr>(model.diagnostics()))
       .first->second;
@@ -176,6 +176,26 @@ Result<ModelPtr> ModelRegistry::get(std::string_view id) const {
   for (const auto& [path, file] : files_)
     if (!file.model && (path.stem() == id || modelIdOfFile(path) == id) && !file.problems.empty()) return file.problems;
   return error(unknownModelPlace(id), "unknown shading model", suggestion(std::string(id), ids()));
+}
+
+Result<ModelPtr> ModelRegistry::named(const std::string& idOrFile, Diagnostics* warnings) const {
+  const fs::path path = idOrFile;
+  std::error_code code;
+  if (!isModelFile(path) || find(idOrFile)) return get(idOrFile);
+  if (!fs::exists(path, code)) return error(idOrFile, "no such file", "name a model, a mix of terms, or a .glsl, .brdf or .bparam file");
+  for (const auto& [known, file] : files_)
+    if (known.filename() == path.filename() && fs::equivalent(known, path, code)) {
+      if (file.model) return file.model;
+      return file.problems;
+    }
+  const std::lock_guard lock(made_->mutex);
+  if (const auto found = made_->files.find(idOrFile); found != made_->files.end()) return found->second;
+  Diagnostics said;
+  auto model = readModelFile(path, said);
+  if (warnings) warnings->insert(warnings->end(), said.begin(), said.end());
+  return made_->files
+      .emplace(idOrFile, model ? Result<ModelPtr>(std::make_shared<const ShadingModel>(std::move(*model))) : Result<ModelPtr>(model.diagnostics()))
+      .first->second;
 }
 
 std::vector<ModelPtr> ModelRegistry::all() const {

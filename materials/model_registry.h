@@ -30,6 +30,9 @@ class ModelRegistry {
   // thread may ask.
   ModelPtr find(std::string_view id) const;      // null when unknown
   Result<ModelPtr> get(std::string_view id) const;  // an unknown id names its nearest neighbour
+  // A model as a user names it: what get() takes, or the path of a file of any kind that a model can be, which is read once
+  // and need not lie in a folder of this. What was said beside the model comes with its first reading. Any thread may ask.
+  Result<ModelPtr> named(const std::string& idOrFile, Diagnostics* warnings = nullptr) const;
   std::vector<ModelPtr> all() const;             // sorted by id
   std::vector<std::string> ids() const;
   // Models that nothing can name, because another file has their id: never drawn, but there.
@@ -54,9 +57,10 @@ class ModelRegistry {
     ModelPtr model;         // last good one
     Diagnostics problems;   // of the text as it is now
   };
-  struct Mixes {
+  // Models that no folder has, by what was asked for.
+  struct Made {
     std::mutex mutex;
-    std::map<std::string, Result<ModelPtr>, std::less<>> models;
+    std::map<std::string, Result<ModelPtr>, std::less<>> mixes, files;
   };
   Result<ModelPtr> mix(std::string_view id) const;
   std::vector<std::filesystem::path> listFiles(Diagnostics&) const;
@@ -65,7 +69,7 @@ class ModelRegistry {
   std::map<std::filesystem::path, File> files_;
   std::map<std::string, ModelPtr, std::less<>> models_;
   std::vector<ModelPtr> hidden_;
-  std::shared_ptr<Mixes> mixes_ = std::make_shared<Mixes>();  // by what was asked for
+  std::shared_ptr<Made> made_ = std::make_shared<Made>();
   Diagnostics problems_;
 };
 

@@ -395,7 +395,7 @@ std::string noteOf(const EvaluationRequest& request, const ModelRegistry& regist
   if (alpha >= kSmallestAlpha * (1 - 1e-6)) return {};
   bool ofPictures = kOfPictures.count(request.what) != 0;
   if (request.what.starts_with("f_"))
-    if (const ModelPtr model = registry.find(request.what.substr(2))) ofPictures = Batch::hasTables(*model, compensated(request));
+    if (const auto model = registry.named(request.what.substr(2))) ofPictures = Batch::hasTables(**model, compensated(request));
   if (!ofPictures) return {};
   return fmt::format("is computed with alpha {:g} (roughness {:.4f}), the smallest that pictures have, instead of {:.4g}", kSmallestAlpha,
                      std::sqrt(kSmallestAlpha), alpha);

@@ -50,8 +50,11 @@ size_t Batch::model(const std::string& id, const std::map<std::string, double>& 
   std::string key = id + (compensate ? " compensated" : "");
   for (const auto& [name, value] : parameters) key += fmt::format(" {}={}", name, value);
   if (const auto found = modelIndex_.find(key); found != modelIndex_.end()) return found->second;
-  const auto made = registry_.get(id);
-  if (!made) throw EvaluationFault{made.diagnostics()[0].what, made.diagnostics()[0].hint};
+  const auto made = registry_.named(id);
+  if (!made) {
+    const Diagnostic& fault = made.diagnostics()[0];
+    throw EvaluationFault{(fault.place == unknownModelPlace(id) ? "" : fault.place + ": ") + fault.what, fault.hint};
+  }
   std::map<std::string, double> own;  // by the names that Glint has for them
   for (const auto& [name, value] : parameters) {
     if (const ModelParameter* parameter = (*made)->parameter(name)) own[parameter->name] = value;

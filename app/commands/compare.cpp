@@ -147,7 +147,7 @@ Result<Axes> findAxes(const Plan& plan, const Libraries& libraries, Diagnostics&
   for (size_t i = 0; i < models.size(); ++i) {
     const bool isAgainst = plan.against && same(models[i], *plan.against);
     ModelPtr model;
-    keep(problems, libraries.model(models[i].id, isAgainst && i == reference && plan.models.size() < models.size() ? "--against" : "--models"), model);
+    keep(problems, libraries.namedModel(models[i].id, isAgainst && i == reference && plan.models.size() < models.size() ? "--against" : "--models"), model);
     if (!model) continue;
     for (int j = 0; j < down; ++j) {
       ComparisonRow row{model->title, model, models[i].parameters};
@@ -407,7 +407,7 @@ int run(const Arguments& arguments) {
         std::copy_if(row.begin(), row.end(), std::back_inserter(numbers), [](const ReportNumbers& n) { return !n.column.empty(); });
       std::vector<ModelHealth> health;
       for (const ComparisonRow& row : axes.rows)
-        if (std::none_of(health.begin(), health.end(), [&](const ModelHealth& card) { return card.model == row.model->id; }))
+        if (std::none_of(health.begin(), health.end(), [&](const ModelHealth& card) { return card.model == row.model->id && card.file == row.model->file.string(); }))
           health.push_back(healthOf(*row.model));
       const auto plots = comparisonPlots(axes.rows);
       if (!plots) return badInput(plots.diagnostics());
@@ -433,7 +433,7 @@ std::string plotHelp() {
 
 std::vector<Option> options() {
   std::vector<Option> all = {
-      {"--models", "A,B,..", "a row for each shading model; parameters as burley:gamma=2", false, true},
+      {"--models", "A,B,..", "a row for each shading model: ids, mixes or files; parameters as burley:gamma=2", false, true},
       {"-o,--output", "OUT", "the sheet (.png), the cells alone (.exr, .hdr, .pfm: linear), or a plot (.png, .svg)", false, true},
       {"--materials", "M1,M2,..", "a column for each material: library names or .json files"},
       {"--sweep", "NAME=FROM..TO:COUNT", "a column for each value of an attribute or parameter, a second sweep goes down (repeatable); roughness=0..1:5 where nothing says what the columns are", true},

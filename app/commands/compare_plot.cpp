@@ -118,7 +118,7 @@ Result<Plan> parsePlan(const Arguments& arguments, const Result<std::vector<Mode
   else
     for (const ModelChoice& choice : *models) {
       PlotSubject subject;
-      if (!keep(problems, libraries.model(choice.id, "--models"), subject.model)) continue;
+      if (!keep(problems, libraries.namedModel(choice.id, "--models"), subject.model)) continue;
       subject.title = subject.model->title;
       setParameters(subject, choice.parameters, problems);
       plan.subjects.push_back(std::move(subject));

@@ -89,9 +89,10 @@ int run(const Arguments& arguments) {
   Diagnostics warnings;
   auto material = loadMaterial(arguments.get("material"), nodes, &warnings);
   log::report(warnings);
+  warnings.clear();
   if (!material) return badInput(material.diagnostics());
   const std::string id = arguments.get("model", material->model);
-  const auto model = models.get(id);
+  const auto model = arguments.has("model") ? models.named(id, &warnings) : models.get(id);
   if (!model) {
     Diagnostics faults = model.diagnostics();
     for (Diagnostic& d : faults)
@@ -101,7 +102,6 @@ int run(const Arguments& arguments) {
       }
     return badInput(faults);
   }
-  warnings.clear();
   const auto compiled = compileMaterial(*material, **model, nodes, functions, {}, &warnings);
   log::report(warnings);
   if (!compiled) return badInput(compiled.diagnostics());

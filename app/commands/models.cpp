@@ -1,12 +1,14 @@
 // glint models: every shading model there is, what it is made of, what it claims and what is wrong with it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
 #include "app/health_text.h"
 #include "app/models_page.h"
+#include "app/option_values.h"
 #include "app/scene_loader.h"
 #include "materials/base/files.h"
 #include "materials/base/hash.h"
@@ -100,9 +102,8 @@ struct Examined {
   std::map<std::string, ModelHealth> cards;  // by id
 };
 
-Examined examine(Renderer& renderer, const ModelRegistry& registry) {
+Examined examine(Renderer& renderer, const std::vector<ModelPtr>& all) {
   Examined found;
-  const std::vector<ModelPtr> all = registry.all();
   bool measured = false;
   for (size_t i = 0; i < all.size(); ++i) {
     const ShadingModel& model = *all[i];
@@ -133,7 +134,7 @@ Diagnostics writePage(const Arguments& arguments, const gl::Context& context, Re
   if (code) return {error(pictures.string(), "cannot be made: " + code.message(), "check its permissions")};
   Diagnostics faults;
   for (const auto& [id, picture] : page->pictures) {
-    const ModelPtr model = libraries.models.find(id);
+    const ModelPtr model = *std::find_if(found.sound.begin(), found.sound.end(), [&, wanted = std::string_view(id)](const ModelPtr& m) { return m->id == wanted; });
     const ImageNotes notes = {{"Command", arguments.commandLine}, {"Software", "Glint " GLINT_VERSION}, {"OpenGL renderer", context.info().renderer},
                               {"Models", hashName(model->hash) + " " + id}};
     const Diagnostics failed = writeImage8(pictures / (id + ".png"), picture, notes);
@@ -146,12 +147,26 @@ Diagnostics writePage(const Arguments& arguments, const gl::Context& context, Re
 int run(const Arguments& arguments) {
   Libraries libraries(arguments.modelFolders);
   const ModelRegistry& registry = libraries.models;
-  Diagnostics problems = registry.problems();
+  std::vector<ModelPtr> listed;
+  Diagnostics problems;
+  for (const std::string& wanted : arguments.all("models")) {
+    ModelPtr model;
+    if (!keep(problems, libraries.namedModel(wanted, "models"), model)) continue;
+    const auto taken = std::find_if(listed.begin(), listed.end(), [&](const ModelPtr& other) { return other->id == model->id; });
+    if (taken == listed.end()) listed.push_back(std::move(model));
+    else if (*taken != model) problems.push_back(error(wanted, fmt::format("has the id of {}, '{}'", (*taken)->file.string(), model->id), "list one of them"));
+  }
+  if (!problems.empty()) return badInput(problems);
+  const bool everything = listed.empty();
+  if (everything) {
+    listed = registry.all();
+    problems = registry.problems();
+  }
   auto context = gl::Context::create({.backend = arguments.backend});
   Examined found;
   if (context) {
     Renderer renderer(**context);
-    found = examine(renderer, registry);
+    found = examine(renderer, listed);
     problems.insert(problems.end(), found.faults.begin(), found.faults.end());
     if (arguments.has("page"))
       if (const Diagnostics faults = writePage(arguments, **context, renderer, libraries, found); !faults.empty()) return badInput(faults);
@@ -160,7 +175,7 @@ int run(const Arguments& arguments) {
     return kNoContext;
   } else {
     log::report(warning("glint models", "without OpenGL no model's GLSL was compiled", context.diagnostics()[0].what));
-    for (const ModelPtr& model : registry.all())
+    for (const ModelPtr& model : listed)
       if (auto kept = keptHealth(*model)) found.cards.emplace(model->id, std::move(*kept));
   }
   const auto cardOf = [&](const ModelPtr& model) -> const ModelHealth* {
@@ -170,15 +185,16 @@ int run(const Arguments& arguments) {
   const std::vector<Term> library = terms();
   if (arguments.json) {
     ordered_json document{{"models", ordered_json::array()}, {"terms", ordered_json::array()}};
-    for (const ModelPtr& model : registry.all()) document["models"].push_back(modelJson(*model, cardOf(model)));
+    for (const ModelPtr& model : listed) document["models"].push_back(modelJson(*model, cardOf(model)));
     for (const Term& term : library)
       document["terms"].push_back({{"kind", name(term.kind)}, {"name", term.name}, {"doc", term.doc}});
     document["problems"] = problemsJson(problems);
     fmt::print("{}\n", document.dump(2, ' ', false, ordered_json::error_handler_t::replace));
   } else {
-    for (const ModelPtr& model : registry.all()) printModel(*model, cardOf(model));
-    for (const TermKind kind : {TermKind::D, TermKind::V, TermKind::F, TermKind::Diffuse})
-      fmt::print("terms {:<10}{}\n", name(kind), fmt::join(termNames(kind), ", "));
+    for (const ModelPtr& model : listed) printModel(*model, cardOf(model));
+    if (everything)
+      for (const TermKind kind : {TermKind::D, TermKind::V, TermKind::F, TermKind::Diffuse})
+        fmt::print("terms {:<10}{}\n", name(kind), fmt::join(termNames(kind), ", "));
   }
   log::report(problems);
   return problems.empty() ? kDone : kVerdictNo;
@@ -190,8 +206,9 @@ extern const Command kModelsCommand;
 const Command kModelsCommand = {
     .name = "models",
     .summary = "List the shading models and terms, with health, parameters, claims, citations; exit 1 when any has a problem",
-    .options = {{"--page", "DIR", "also write a page that shows them, DIR/README.md, with a picture for each"}},
-    .examples = {"glint models", "glint models --json", "glint models --page models-page", "glint models --models-dir my-models"},
+    .options = {{"models", "ID or FILE", "models by id, mixes, or files; all there are when left out", true},
+                {"--page", "DIR", "also write a page that shows them, DIR/README.md, with a picture for each"}},
+    .examples = {"glint models", "glint models ggx my-model.brdf", "glint models --json", "glint models --page models-page", "glint models --models-dir my-models"},
     .run = run,
 };
 

@@ -11,25 +11,12 @@
 #include "materials/model_file.h"
 #include "materials/model_registry.h"
 #include "renderer/model_health.h"
-#include "renderer/sampler_error.h"
 
 namespace glint {
 namespace {
 
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-// A model by its id, a mix, or a file that is one.
-Result<ModelPtr> find(const std::string& what, const ModelRegistry& registry) {
-  std::error_code code;
-  if (isModelFile(what) && !fs::exists(what, code)) return error(what, "no such file", "name a model, a mix of terms, or a .glsl or .brdf file");
-  if (!isModelFile(what)) return registry.get(what);
-  Diagnostics warnings;
-  auto model = readModelFile(what, warnings);
-  log::report(warnings);
-  if (!model) return model.diagnostics();
-  return ModelPtr(std::make_shared<const ShadingModel>(std::move(*model)));
-}
 
 // Whether it says that another file has a model's id.
 bool isHidden(const ModelRegistry& registry, const Diagnostic& fault) {
@@ -66,7 +53,9 @@ int run(const Arguments& arguments) {
     for (const auto& [file, faults] : broken) cards.push_back(unmeasurable(file, file, faults));
   }
   for (const std::string& what : wanted) {
-    const auto model = find(what, registry);
+    Diagnostics warnings;
+    const auto model = registry.named(what, &warnings);
+    log::report(warnings);
     if (model) cards.push_back(checkHealth(**model, arguments.has("compensate")));
     else if (isModelFile(what) && fs::exists(what)) cards.push_back(unmeasurable(what, what, model.diagnostics()));
     else unknown.insert(unknown.end(), model.diagnostics().begin(), model.diagnostics().end());

@@ -209,6 +209,39 @@ TEST(BrdfFiles, ArePluginsAsTheyAre) {
   EXPECT_BAD_INPUT(glint({"render", "--models-dir", "mine", "--model", "shiny:roughness=2", "-o", "f.png"}), "--model", "roughness 2 is out of range of model 'shiny'");
 }
 
+// Wherever a model is named, so can be its file, in whatever folder it lies.
+TEST(ModelFiles, AreTakenByEveryCommand) {
+  write("mine/shiny.brdf", kShiny);
+  write("mine/dim.bparam", "bparam shiny.brdf\n::begin parameters\nfloat roughness 0 1 .9\n::end parameters\n");
+  write("mine/open.brdf", std::string(kShiny).substr(0, std::string(kShiny).rfind("::end")));
+  write("mine/ggx.glsl", "/*glint\n{ \"id\": \"ggx\", \"title\": \"Other\", \"terms\": {\"D\": \"Beckmann\", \"V\": \"Implicit\", \"F\": \"Schlick\"} }\n*/\n");
+  write("work.json", R"([{"id": "file", "term": "f_mine/shiny.brdf", "args": {"l": [0, 0, 1], "v": [0, 0, 1], "roughness": 0.5, "F0": 1}},
+                         {"id": "other", "term": "directional_albedo", "model": "mine/ggx.glsl", "args": {"roughness": 0.5, "NoV": 0.5}}])");
+  const std::string file = "mine/shiny.brdf";
+  const std::vector<std::vector<std::string>> commands = {
+      {"verify", file}, {"models", file, "ggx"}, {"eval", "work.json"}, {"compile", "painted-metal", "--model", file},
+      {"render", "--model", file + ":roughness=0.8", "--size", "8x8", "-o", "a.png"}, {"render", "--model", "mine/dim.bparam", "--size", "8x8", "-o", "b.png"},
+      {"compare", "--models", "ggx,mine/ggx.glsl," + file + ":roughness=0.8", "--against", file, "--sweep", "metallic=0..1:2", "--cell", "16", "--samples", "1", "-o", "c.png"},
+      {"compare", "--models", "ggx," + file + ":roughness=0.8", "--plot", "lobe", "-o", "d.svg"}};
+  for (const auto& command : commands) {
+    const auto ran = glint(command);
+    EXPECT_EQ(ran.code, 0) << testing::PrintToString(command) << ran.err;
+    EXPECT_EQ(ran.err.find("error"), std::string::npos) << ran.err;
+  }
+  EXPECT_THAT(glint(commands[1]).out, testing::AllOf(HasSubstr("mine/shiny.brdf"), HasSubstr("ggx.glsl"), testing::Not(HasSubstr("burley"))));
+  // The file, not the shipped model that has its id.
+  EXPECT_NE(glint({"eval", "work.json"}).json()[1]["value"], 0);
+  EXPECT_BAD_INPUT(glint({"models", "mine/ggx.glsl", "ggx"}), "ggx", "has the id of mine/ggx.glsl");
+  for (const char* missing : {"mine/none.brdf", "mine/none.glsl"}) {
+    EXPECT_BAD_INPUT(glint({"models", missing}), missing, "no such file");
+    EXPECT_BAD_INPUT(glint({"render", "--model", missing, "-o", "e.png"}), missing, "no such file");
+    EXPECT_BAD_INPUT(glint({"compare", "--models", missing, "--plot", "lobe", "-o", "e.png"}), missing, "no such file");
+  }
+  for (const auto& command : std::vector<std::vector<std::string>>{{"models", "mine/open.brdf"}, {"render", "--model", "mine/open.brdf", "-o", "e.png"},
+                                                                   {"compare", "--models", "mine/open.brdf", "-o", "e.png"}, {"compile", "painted-metal", "--model", "mine/open.brdf"}})
+    EXPECT_BAD_INPUT(glint(command), "mine/open.brdf:6", "section 'shader' is never closed");
+}
+
 TEST(BrdfFiles, WhatIsWrongIsRedAndNamed) {
   write("mine/open.brdf", std::string(kShiny).substr(0, std::string(kShiny).rfind("::end")));
   write("mine/ggx.brdf", kShiny);
