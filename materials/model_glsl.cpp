@@ -124,8 +124,9 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
     text += fmt::format("float modelCoatRoughness(Parameters p) {{ return p.{}; }}\n", model.coatRoughness);
     text += fmt::format("vec3 modelCoatStrength(Parameters p) {{ return vec3(p.{}); }}\n", model.coatStrength);
     vectorFunction("modelThroughCoat", model.definesThroughCoat ? "return throughCoat(s, p);" : "return vec3(1.0);");
-    vectorFunction("modelSingleBounce", "\n  Shading c = s;\n  setRoughness(c, modelCoatRoughness(p));\n"
-                                    "  return modelThroughCoat(s, p) * modelBase(s, p) + modelCoatStrength(p) * coat(c, p);\n");
+    text += "Shading glintOfCoat(Shading s, Parameters p) { setRoughness(s, modelCoatRoughness(p)); return s; }\n";
+    vectorFunction("modelCoat", "return coat(glintOfCoat(s, p), p);");
+    vectorFunction("modelSingleBounce", "return modelThroughCoat(s, p) * modelBase(s, p) + modelCoatStrength(p) * modelCoat(s, p);");
     vectorFunction("modelDiffuse", "return modelThroughCoat(s, p) * diffuse(s, p);");
     text += "#ifdef COAT\n";
     vectorFunction("modelLobe", "return coat(s, p);");

@@ -34,11 +34,12 @@ std::vector<ProbePoint> withAttributes(std::vector<ProbePoint> points) {
 
 std::vector<HookFault> hookFaults(const ShadingModel& model) {
   constexpr double kRounding = 3e-3;
-  const Hook hooks[] = {{"colors", model.definesColors, 0, 2, true}, {"environment", model.definesEnvironment, 2, 1, true}, {"scattered", model.definesScattered, 3, 1, false}};
+  const Hook hooks[] = {{"colors", model.definesColors, 0, 2, true}, {"environment", model.definesEnvironment, 2, 1, true}, {"scattered", model.definesScattered, 3, 1, false},
+                        {"coat", model.definesCoat, 4, 1, false}, {"throughCoat", model.definesThroughCoat, 5, 1, true}};
   if (std::none_of(std::begin(hooks), std::end(hooks), [](const Hook& hook) { return hook.defined; })) return {};
   const auto probe = ModelProbe::ofHooks(model);
   if (!probe) return {};  // which is told already: it is the same text
-  constexpr size_t kOutputs = 4;
+  const size_t kOutputs = static_cast<size_t>(probe->outputs());
   std::vector<HookFault> faults;
   const auto told = [&](const Hook& hook, Law law, double value, const ProbePoint& point, const std::vector<glm::vec4>& constants) {
     const auto same = std::find_if(faults.begin(), faults.end(), [&](const HookFault& f) { return f.law == law && f.function == hook.function; });

@@ -1,6 +1,6 @@
 // What is wrong with the functions of a model that are no part of its f: what it makes of the attributes' colours
 // (`colors`), what it reflects of an environment by its own rule (`environment`), and the light that it scatters, also from
-// behind (`scattered`). Needs a current context.
+// behind (`scattered`). And with its coat and what comes through it, which the rest of f may hide. Needs a current context.
 #pragma once
 
 #include <string>

@@ -131,8 +131,16 @@ class Examination {
     const ProbePoint one[] = {point};
     const std::vector<glm::vec4> out = constants_.empty() ? probe->evaluate(one) : probe->evaluate(one, constants_);
     const auto faulty = [](const glm::vec4& v) { return isFault(v.r) || isFault(v.g) || isFault(v.b); };
-    const std::pair<bool, std::string> parts[] = {
-        {isFault(out[0].w), "D"}, {isFault(out[1].w), "V"}, {faulty(out[2]), "F"}, {faulty(out[1]), "diffuse"}, {faulty(out[3]), "scattered"}, {faulty(out[0]), "specular"}};
+    std::vector<std::pair<bool, std::string>> parts = {
+        {isFault(out[0].w), "D"}, {isFault(out[1].w), "V"}, {faulty(out[2]), "F"}, {faulty(out[1]), "diffuse"}, {faulty(out[3]), "scattered"}};
+    if (model_.definesCoat)
+      if (auto coated = ModelProbe::ofHooks(model_)) {
+        if (!setting_.empty()) coated->set(end_.first, end_.second);
+        const std::vector<glm::vec4> of = constants_.empty() ? coated->evaluate(one) : coated->evaluate(one, constants_);
+        // Through a faulty coat also the diffuse part is.
+        parts.insert(parts.begin(), {{faulty(of[4]), "coat"}, {faulty(of[5]), "throughCoat"}});
+      }
+    parts.emplace_back(faulty(out[0]), "specular");
     for (const auto& [bad, name] : parts) {
       if (!bad) continue;
       const std::string own = model_.isWhole() ? model_.namePrefix + "BRDF" : name;

@@ -167,7 +167,8 @@ Result<ModelProbe> ModelProbe::ofModel(const ShadingModel& model, std::optional<
 Result<ModelProbe> ModelProbe::ofEnvironment(const ShadingModel& model) { return ofOutputs(model, {"vec4(modelEnvironment(s, p), 0.0)"}, false); }
 
 Result<ModelProbe> ModelProbe::ofHooks(const ShadingModel& model) {
-  return ofOutputs(model, {"vec4(s.F0, 0.0)", "vec4(s.diffuseColor, 0.0)", "vec4(modelEnvironment(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)"}, false);
+  return ofOutputs(model, {"vec4(s.F0, 0.0)", "vec4(s.diffuseColor, 0.0)", "vec4(modelEnvironment(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)",
+                         model.definesCoat ? "vec4(modelCoat(s, p), 0.0)" : "vec4(0.0)", model.definesCoat ? "vec4(modelThroughCoat(s, p), 0.0)" : "vec4(0.0)"}, false);
 }
 
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, std::optional<bool> compensate) {

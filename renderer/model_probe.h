@@ -58,7 +58,8 @@ class ModelProbe {
   static Result<ModelProbe> ofModelParts(const ShadingModel&, std::optional<bool> compensate = {});
   // One output: what the model's own environment() reflects, for models that define it.
   static Result<ModelProbe> ofEnvironment(const ShadingModel&);
-  // Four outputs: F0, the diffuse colour, what its own environment() reflects (0 without one) and the scattered light.
+  // Six outputs: F0, the diffuse colour, what its own environment() reflects (0 without one), the scattered light, the coat's f
+  // and what comes through the coat (0 without one).
   static Result<ModelProbe> ofHooks(const ShadingModel&);
 
   // Of every point its outputs in order.

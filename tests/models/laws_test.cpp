@@ -157,6 +157,21 @@ TEST_F(Laws, HooksAreJudged) {
               testing::HasSubstr("is not finite, because of scattered"));
 }
 
+// A coat is a function of the file like any other, also where the base hides what is wrong with it.
+TEST_F(Laws, CoatsAreJudged) {
+  const auto of = [](const std::string& body, const char* strength = "1") {
+    const auto model = parseModel("planted.glsl", std::string(R"(/*glint {"id": "planted", "terms": {"D": "GGX", "V": "SmithGGXCorrelated", "F": "Schlick"},
+"coat": {"roughness": "gloss", "strength": "amount"},
+"parameters": [{"name": "gloss", "type": "float", "min": 0, "max": 1, "default": 0.2}, {"name": "amount", "type": "float", "min": 0, "max": 1, "default": )") + strength + "}]} */\n" + body);
+    return model ? card(*model) : "head: " + text(model.diagnostics());
+  };
+  EXPECT_THAT(of("vec3 coat(Shading s, Parameters p) { return vec3(-1.0); }"), testing::HasSubstr("red: is negative, -1, because of coat (planted.glsl:4"));
+  EXPECT_THAT(of("\nvec3 coat(Shading s, Parameters p) { return vec3(sqrt(-1.0 - s.NoV)); }"), testing::HasSubstr("red: is not finite, because of coat (planted.glsl:5"));
+  EXPECT_THAT(of("vec3 coat(Shading s, Parameters p) { return vec3(0.0); }\nvec3 throughCoat(Shading s, Parameters p) { return vec3(-0.5); }"),
+              testing::HasSubstr("because of throughCoat (planted.glsl:5"));
+  EXPECT_THAT(of("vec3 coat(Shading s, Parameters p) { return vec3(-1e-2 * D_GGX(s)); }", "0"), testing::HasSubstr("because of coat (planted.glsl:4"));
+}
+
 // So is energy that is gained, or lost by the distribution, between two roughnesses alone.
 TEST_F(Laws, EnergyInAWindow) {
   EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) * (s.roughness > 0.31 && s.roughness < 0.33 ? 2.0 : 1.0); }"),
