@@ -9,11 +9,11 @@ namespace {
 
 bool isNameChar(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Copies the text and puts `if (ends) break; else` before the statement of each loop: after a word `do`, and after the
+// Copies the text and puts `if (ends(LINE)) break; else` before the statement of each loop: after a word `do`, and after the
 // brackets that follow `for` and `while`, but for the `while` that ends a `do`.
 class Bounder {
  public:
-  Bounder(std::string_view text, std::string_view ends) : text_(text), stop_(" if (" + std::string(ends) + ") break; else ") {}
+  Bounder(std::string_view text, std::string_view ends) : text_(text), ends_(ends) {}
 
   std::optional<std::string> run() {
     while (at_ < text_.size()) step();
@@ -27,7 +27,7 @@ class Bounder {
   void copyTo(size_t end) {
     end = std::min(end, text_.size());
     out_.append(text_, at_, end - at_);
-    at_ = end;
+    for (; at_ < end; ++at_) line_ += text_[at_] == '\n';
   }
 
   void step() {
@@ -54,19 +54,19 @@ class Bounder {
     if (word == "do") {
       does_.push_back(depth_);
       begins(depth_);
-      stop();
+      stop(line_);
     } else if (word == "while" && !does_.empty() && does_.back() == depth_ && (previous_ == "}" || previous_ == ";")) {
       does_.pop_back();  // of this `do`
     } else if (word == "for" || word == "while") {
-      headers_.push_back(brackets_);
+      headers_.push_back({brackets_, line_});
       begins(depth_);
     } else if (word == "(") {
       ++brackets_;
     } else if (word == ")") {
       --brackets_;
-      if (!headers_.empty() && headers_.back() == brackets_) {
+      if (!headers_.empty() && headers_.back().brackets == brackets_) {
+        stop(headers_.back().line);
         headers_.pop_back();
-        stop();
       }
     }
   }
@@ -77,17 +77,21 @@ class Bounder {
     deepestAt_ = wordAt_;
   }
 
-  void stop() {
-    out_ += stop_;
+  void stop(int line) {
+    out_ += " if (" + std::string(ends_) + "(" + std::to_string(line) + ")) break; else ";
     found_ = true;
   }
 
-  std::string_view text_, previous_;
-  std::string stop_, out_;
+  struct Header {
+    int brackets, line;
+  };
+  std::string_view text_, ends_, previous_;
+  std::string out_;
   size_t at_ = 0, wordAt_ = 0, deepestAt_ = 0;
   int deepest_ = -1;                 // how many braces were open before the loop at deepestAt_
-  int depth_ = 0, brackets_ = 0;
-  std::vector<int> does_, headers_;  // how many braces, or brackets, were open before each
+  int depth_ = 0, brackets_ = 0, line_ = 1;
+  std::vector<int> does_;            // how many braces were open before each
+  std::vector<Header> headers_;      // how many brackets were, and where it begins
   bool found_ = false;
 };
 

@@ -8,8 +8,8 @@
 
 namespace glint {
 
-// The same lines with the condition `ends` asked at the start of each turn of every loop, which it breaks when true.
-// Nothing when the text has no loop. The condition must stay true once it was.
+// The same lines with the function `ends` asked at the start of each turn of every loop, with the line from 1 where the loop
+// begins; when true the loop is broken off. Nothing when the text has no loop. The function must stay true once it was.
 std::optional<std::string> withBoundedLoops(std::string_view text, std::string_view ends);
 
 // The line, from 1, of the loop that lies within the most others, or of the first of them; nothing without a loop.

@@ -148,6 +148,10 @@ class Scanner {
         return;
       }
       if (isGlslWord(macro)) fault(line, fmt::format("'{}' is a word of GLSL", macro), "choose another name for the macro");
+      // `#define N 8`
+      const size_t begin = std::min(text.find_first_not_of(" \t", at), text.size());
+      if (const auto value = wholeNumber(std::string_view(text).substr(begin, text.find_last_not_of(" \t\r") + 1 - begin))) constants_[macro] = *value;
+      else constants_.erase(macro);
       scan_.macros.push_back(macro);
       scan_.names.push_back({macro, line});
       auto& uses = macroUses_[macro];

@@ -157,7 +157,7 @@ Result<ShadingModel> parseModel(const std::filesystem::path& file, const std::st
 //   const bool modelReadsRoughness                      of "uses"
 // and the macros MODEL_COAT and MODEL_TANGENT when it has a coat or uses the tangent, MODEL_IS_WHOLE when its specular
 // part is all of it, as a .brdf's is. Loops of the plugin's text end after kMostTurns turns in one evaluation, which is
-// then not a number. With COMPENSATE defined
+// then not a number; `glintLongLoop` is then the line of the one that was broken off first. With COMPENSATE defined
 // modelSpecular() has the lobe of all further bounces in it (shaders/common/model_tables.glsl).
 // `uniform vec4 glintModelConstants[N]` holds the parameters without a slot, one vec4 each in
 // declaration order (N >= 1). `sourceIndex` is the source-string number that GLSL errors in the plugin's

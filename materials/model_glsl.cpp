@@ -94,8 +94,10 @@ std::string modelGlsl(const ShadingModel& model, int sourceIndex) {
         {model.definesCoat, "vec3 coat(Shading s, Parameters p)"}, {model.definesThroughCoat, "vec3 throughCoat(Shading s, Parameters p)"},
         {model.definesEnvironment, "vec3 environment(Shading s, Parameters p)"}, {model.definesScattered, "vec3 scattered(Shading s, Parameters p)"}})
     if (defined) text += std::string(prototype) + ";\n";
-  const auto bounded = withBoundedLoops(model.source, "glintTurn()");
-  if (bounded) text += fmt::format("int glintTurns = 0;\nbool glintTurn() {{ return ++glintTurns > {}; }}\n", kMostTurns);
+  const auto bounded = withBoundedLoops(model.source, "glintTurn");
+  if (bounded)
+    text += fmt::format("int glintTurns = 0, glintLongLoop = 0;\nbool glintTurn(int line) {{\n  if (++glintTurns <= {}) return false;\n"
+                        "  if (glintLongLoop == 0) glintLongLoop = line;\n  return true;\n}}\n", kMostTurns);
   text += fmt::format("#line {} {}\n", kModelLineBase + 1, sourceIndex);
   text += bounded ? *bounded : model.source;
   text += fmt::format("\n\n#line 1 {}\n", sourceIndex + 1);

@@ -12,6 +12,7 @@
 #include "materials/base/check.h"
 #include "materials/glsl_scan.h"
 #include "renderer/hook_faults.h"
+#include "renderer/loop_faults.h"
 #include "renderer/model_integrals.h"
 #include "renderer/probe_points.h"
 #include "renderer/sampler_error.h"
@@ -45,6 +46,7 @@ class Examination {
   void run() {
     auto probe = ModelProbe::ofModel(model_, compensate_);
     if (!probe) return fails(probe.diagnostics());
+    if (const auto fault = faultOfLoops(model_)) return fails({*fault});
     auto integrals = ModelIntegrals::of(model_, {.compensate = compensate_});
     if (!integrals) return fails(integrals.diagnostics());
     result(Law::Compiles);
@@ -183,7 +185,14 @@ class Examination {
       const Culprit by = culprit(*broken);
       finite.where = by.place + at(*broken);
       finite.reason = "is not finite" + by.name;
-      finite.hint = "guard a division, a root or a power; a loop that does not end gives this too";
+      finite.hint = "guard a division, a root or a power";
+      ModelSetting atEnd = modelSetting(model_);
+      if (!setting_.empty()) atEnd.set(end_.first, end_.second);
+      if (const auto fault = faultOfLoops(model_, {broken, 1}, constants_.empty() ? atEnd.constants : constants_)) {
+        finite.where = fmt::format("{}, {}", fault->place, at(*broken));
+        finite.reason = "is not finite: " + fault->what;
+        finite.hint = fault->hint;
+      }
     }
     if (darkest) {
       const Culprit by = culprit(*darkest);

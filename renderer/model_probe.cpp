@@ -171,6 +171,11 @@ Result<ModelProbe> ModelProbe::ofHooks(const ShadingModel& model) {
                          model.definesCoat ? "vec4(modelCoat(s, p), 0.0)" : "vec4(0.0)", model.definesCoat ? "vec4(modelThroughCoat(s, p), 0.0)" : "vec4(0.0)"}, false);
 }
 
+Result<ModelProbe> ModelProbe::ofLoops(const ShadingModel& model) {
+  return ofOutputs(model, {"vec4(modelSpecular(s, p), 0.0)", "vec4(modelDiffuse(s, p), 0.0)", "vec4(modelEnvironment(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)",
+                         "vec4(float(glintLongLoop))"}, false);
+}
+
 Result<ModelProbe> ModelProbe::ofModelParts(const ShadingModel& model, std::optional<bool> compensate) {
   return ofOutputs(model, {"vec4(modelSpecular(s, p), modelD(s, p))", "vec4(modelDiffuse(s, p), modelV(s, p))",
                          "vec4(modelF(s, p), 0.0)", "vec4(modelScattered(s, p), 0.0)"}, compensate.value_or(model.compensate));

@@ -61,6 +61,9 @@ class ModelProbe {
   // Six outputs: F0, the diffuse colour, what its own environment() reflects (0 without one), the scattered light, the coat's f
   // and what comes through the coat (0 without one).
   static Result<ModelProbe> ofHooks(const ShadingModel&);
+  // Five outputs, for models with a loop (lineOfDeepestLoop): of the last the first number is the line of the file's loop that
+  // was broken off there, 0 when none was.
+  static Result<ModelProbe> ofLoops(const ShadingModel&);
 
   // Of every point its outputs in order.
   std::vector<glm::vec4> evaluate(std::span<const ProbePoint>) const;

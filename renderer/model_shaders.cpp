@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "materials/base/hash.h"
+#include "renderer/loop_faults.h"
 #include "renderer/model_speed.h"
 #include "shaders/shipped_files.h"
 
@@ -41,6 +42,8 @@ const Diagnostics& ModelShaders::verdict(const ModelShader& shader) {
     // By the smallest program that holds all of the model.
     const auto program = programs_.get(Rectangles::vertexShader(), {"shaders/passes/lobe.frag", {}, {{"model", shader.glsl}}});
     Diagnostics faults = program ? slowness(*shader.model, **program) : modelErrors(*shader.model, program.diagnostics()[0].what);
+    if (faults.empty())
+      if (const auto fault = faultOfLoops(*shader.model)) faults.push_back(*fault);
     verdict = verdicts_.emplace(shader.hash, std::move(faults)).first;
   }
   return verdict->second;

@@ -172,6 +172,22 @@ TEST_F(Laws, CoatsAreJudged) {
   EXPECT_THAT(of("vec3 coat(Shading s, Parameters p) { return vec3(-1e-2 * D_GGX(s)); }", "0"), testing::HasSubstr("because of coat (planted.glsl:4"));
 }
 
+// Loops of 10^9 turns, however they are written; short ones may be counted by macros.
+TEST_F(Laws, LongLoopsAreNamed) {
+  const auto of = [](const std::string& before, const std::string& loop) {
+    return verdict(kVF, before + "\nfloat D(Shading s, Parameters p) {\n  float x = 0.0;\n" + loop + "\n  return D_GGX(s) + 1e-30 * x;\n}", "false");
+  };
+  const auto named = testing::AllOf(testing::HasSubstr("red"), testing::HasSubstr("planted.glsl:5"));
+  EXPECT_THAT(of("#define N 1000000000", "  for (int i = 0; i < N; ++i) x += s.NoL;"), testing::AllOf(testing::HasSubstr("a loop of 1000000000"), testing::HasSubstr("planted.glsl:5")));
+  EXPECT_THAT(of("#define N (10 * 100000000)", "  for (int i = 0; i < N; ++i) x += s.NoL;"), named);
+  EXPECT_THAT(of("", "  int i = 0; do { x += s.NoL; ++i; } while (i < 1000000000);"), named);
+  EXPECT_THAT(of("", "  int i = 0; while (i < 1000000000) { x += s.NoL; i++; }"), named);
+  EXPECT_THAT(of("", "  for (float i = 0.0; i < 1e9; i += 1.0) x += s.NoL;"), named);
+  EXPECT_THAT(of("", "  if (s.roughness > 0.62 && s.roughness < 0.64) for (float i = 0.0; i < 1e9; i += 1.0) x += s.NoL;"),
+              testing::AllOf(named, testing::HasSubstr("a loop takes more than 32768 turns")));
+  EXPECT_EQ(of("#define N 16", "  for (int i = 0; i < N; ++i) x += s.NoL; int j = 0; do { ++j; } while (j < N);"), "");
+}
+
 // So is energy that is gained, or lost by the distribution, between two roughnesses alone.
 TEST_F(Laws, EnergyInAWindow) {
   EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) * (s.roughness > 0.31 && s.roughness < 0.33 ? 2.0 : 1.0); }"),
