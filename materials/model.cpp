@@ -266,7 +266,7 @@ void checkNames(const GlslScan& scan, const GlslScan& library, const std::string
                                                      "modelBase", "modelLobe", "modelDiffuseBelow", "modelColors", "modelTurn",
                                                      "modelThroughCoat", "modelCoatRoughness", "modelCoatStrength",
                                                      "modelEnvironment", "modelHasEnvironment", "modelScattered",
-                                                     "modelScatters", "modelSingleBounce", "modelWhite", "modelLobeWhite", "ProjectedAreas",
+                                                     "modelScatters", "modelCoat", "modelSingleBounce", "modelWhite", "modelLobeWhite", "ProjectedAreas",
                                                      "GlintBounces", "MODEL_COAT", "MODEL_TANGENT", "COAT"};
   for (const GlslName& name : scan.names)
     if (name.name.starts_with("glint") ||

@@ -410,7 +410,9 @@ std::vector<std::string> evaluationQuantities() {
   return names;
 }
 
-std::vector<EvaluationResult> evaluate(std::span<const EvaluationRequest> requests, const ModelRegistry& registry) {
+std::vector<EvaluationResult> evaluate(std::span<const EvaluationRequest> asked, const ModelRegistry& registry) {
+  std::vector<EvaluationRequest> requests;
+  for (const EvaluationRequest& request : asked) requests.push_back(understood(request, registry));
   const Library library;
   Batch batch(registry);
   std::vector<EvaluationResult> results(requests.size());

@@ -86,6 +86,15 @@ void checkDirection(const std::string& name, const std::vector<double>& v, bool 
     faults.push_back({fmt::format("the direction '{}' points below the surface", name), "its third number is its cosine to the normal, from 0 to 1"});
 }
 
+// Before the names of numbers that are parameters of the model, in a request that is understood().
+constexpr std::string_view kOwn = "own ";
+
+// The id of the model that a request asks about; empty for terms and other quantities.
+std::string modelAskedFor(const EvaluationRequest& request) {
+  if (request.what.starts_with("f_")) return request.what.substr(2);
+  return request.names.count("model") || request.names.count("D") ? evaluation::subject(request) : std::string();
+}
+
 // The parameters of what a request asks about, with their ranges; nothing when it is unknown, which evaluate() reports.
 struct Parameters {
   bool known = false, ofModel = false;
@@ -102,13 +111,11 @@ struct Parameters {
 
 Parameters parametersAskedFor(const EvaluationRequest& request, const ModelRegistry& registry, const std::vector<Term>& library) {
   Parameters found;
-  std::string id = request.what.starts_with("f_") ? request.what.substr(2) : std::string();
-  if (id.empty() && (request.names.count("model") || request.names.count("D"))) id = evaluation::subject(request);
-  if (!id.empty()) {
-    const ModelPtr model = registry.find(id);
+  if (const std::string id = modelAskedFor(request); !id.empty()) {
+    const auto model = registry.named(id);
     if (!model) return found;
     found.known = found.ofModel = true;
-    for (const ModelParameter& p : model->parameters) {
+    for (const ModelParameter& p : (*model)->parameters) {
       found.list.push_back({p.name, p.minimum, p.maximum});
       if (!p.fileName.empty() && p.fileName != p.name) found.list.push_back({p.fileName, p.minimum, p.maximum});
     }
@@ -138,7 +145,7 @@ std::vector<EvaluationFault> faultsOf(const EvaluationRequest& request, const Mo
   const auto own = evaluation::parametersOf(request);
   for (const auto& [name, value] : request.numbers) {
     const Rule* rule = ruleOf(name);
-    const auto* parameter = own.count(name) ? parameters.find(name) : nullptr;
+    const auto* parameter = parameters.ofModel || own.count(name) ? parameters.find(name) : nullptr;
     if (parameter) {
       // A term of itself is a function, whose range is only what sliders have.
       const bool within = value >= parameter->minimum - kSlack && value <= parameter->maximum + kSlack;
@@ -167,7 +174,7 @@ std::vector<EvaluationFault> faultsOf(const EvaluationRequest& request, const Mo
   }
   std::vector<std::string> widths;
   for (const char* name : {"alpha", "roughness", "r"})
-    if (request.numbers.count(name)) widths.emplace_back(name);
+    if (request.numbers.count(name) && !(parameters.ofModel && parameters.find(name))) widths.emplace_back(name);
   for (size_t i = 1; i < widths.size(); ++i) {
     const auto roughnessBy = [&](const std::string& name) {
       const double value = request.numbers.find(name)->second;
@@ -249,9 +256,31 @@ std::map<std::string, double> parametersOf(const EvaluationRequest& request) {
   static const std::set<std::string, std::less<>> kOthers = {"r", "roughness", "alpha", "NoL", "NoV", "NoH", "VoH", "LoV", "RoL",
                                                              "F0", "albedo", "environment", "ax", "ay", "compensate"};
   std::map<std::string, double> parameters;
-  for (const auto& [name, value] : request.numbers)
-    if (!kOthers.count(name)) parameters[name] = value;
+  for (const auto& [name, value] : request.numbers) {
+    if (name.starts_with(kOwn)) parameters[name.substr(kOwn.size())] = value;
+    else if (!kOthers.count(name)) parameters[name] = value;
+  }
   return parameters;
+}
+
+EvaluationRequest understood(const EvaluationRequest& request, const ModelRegistry& registry) {
+  const std::string id = modelAskedFor(request);
+  if (id.empty()) return request;
+  const auto model = registry.named(id);
+  if (!model) return request;
+  EvaluationRequest made = request;
+  for (const auto& [name, value] : request.numbers)
+    if ((*model)->parameter(name)) {
+      made.numbers.erase(name);
+      made.numbers[std::string(kOwn) + name] = value;
+    }
+  const auto reads = [&](std::string_view attribute) { return (*model)->reads(attribute); };
+  if (!reads("roughness")) {
+    for (const char* name : {"r", "alpha"}) made.numbers.erase(name);
+    made.numbers["roughness"] = 0.5;
+  }
+  if (!reads("baseColor") && !reads("metallic") && !reads("specular")) made.numbers["F0"] = 1;
+  return made;
 }
 
 bool isAttribute(std::string_view name) { return name == "metallic" || name == "specular"; }

@@ -24,6 +24,9 @@ bool compensated(const EvaluationRequest&);
 bool underEnvironment(const EvaluationRequest&);
 // What a request asks about: a model's id, or a mix of the terms it names; the missing ones do nothing.
 std::string subject(const EvaluationRequest&);
+// The request as its model understands it: numbers that go by the name of one of the model's own parameters (roughness, alpha
+// or F0 of a .brdf) are that parameter, and what the model does not read has a value, so that nobody need give it.
+EvaluationRequest understood(const EvaluationRequest&, const ModelRegistry&);
 // Numbers that are no argument of the request itself: parameters of the model that it asks about.
 std::map<std::string, double> parametersOf(const EvaluationRequest&);
 // Attributes of a surface, which every model is given and a .brdf may have as parameters of its own.

@@ -254,7 +254,7 @@ extern const Command kEvalCommand;
 const Command kEvalCommand = {
     .name = "eval",
     .summary = "Evaluate terms, models and integrals from the GLSL that draws; exit 1 when an entry cannot be",
-    .options = {{.name = "work", .argument = "WORK.json", .help = "a list of {\"id\", \"term\", \"args\"}, or a table with such \"entries\"", .required = true},
+    .options = {{.name = "work", .argument = "WORK.json", .help = "a list of {\"id\", \"term\", \"args\"}, or a table with such \"entries\"; of a model, f_ID or f_FILE, the args are what it reads: r and F0 of the surface, and its own parameters", .required = true},
                 {.name = "-o,--output", .argument = "OUT.json", .help = "write the list of {\"id\", \"value\"} there; standard output without it"}},
     .examples = {"glint eval work.json -o values.json", "glint eval terms.public.json -o values.json"},
     .run = run,

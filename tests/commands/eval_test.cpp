@@ -227,6 +227,28 @@ TEST(EvalCommand, ParametersOfModelsReachTheirValues) {
   EXPECT_NEAR(values[0]["value"].get<double>(), values[1]["value"].get<double>(), 1e-5);
 }
 
+// A .brdf reads no attribute: only its own parameters are asked for, also those with names of attributes and arguments.
+TEST(EvalCommand, OnlyWhatAModelReadsIsAskedFor) {
+  write("own.brdf", "analytic\n::begin parameters\nfloat roughness 0 1 .5\nfloat alpha 0 9 2\nfloat F0 0 9 3\n::end parameters\n::begin shader\n"
+                    "vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(roughness + 10 * alpha + 100 * F0); }\n::end shader\n");
+  write("work.json", R"([
+    {"id": "plain", "term": "f_own.brdf", "args": {"l": [0, 0, 1], "v": [0, 0, 1]}},
+    {"id": "given", "term": "f_own.brdf", "args": {"l": [0, 0, 1], "v": [0, 0, 1], "roughness": 0.25, "alpha": 4, "F0": 7}},
+    {"id": "albedo", "term": "directional_albedo", "model": "own.brdf", "args": {"NoV": 0.5, "F0": 0, "alpha": 0}},
+    {"id": "reads", "term": "f_ggx", "args": {"l": [0, 0, 1], "v": [0, 0, 1], "F0": 1}}])");
+  const auto ran = glint({"eval", "work.json"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.errorLines().size(), 1u) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("entry 4 'reads': is not evaluated: 'f_ggx' needs the argument 'r'"));
+  const json values = json::parse(ran.out);
+  ASSERT_EQ(values.size(), 3u);
+  EXPECT_NEAR(values[0]["value"].get<double>(), 320.5, 1e-3);
+  EXPECT_NEAR(values[1]["value"].get<double>(), 740.25, 1e-3);
+  EXPECT_NEAR(values[2]["value"].get<double>(), 0.5 * 3.14159265, 1e-3);
+  write("far.json", R"([{"id": "far", "term": "f_own.brdf", "args": {"l": [0, 0, 1], "v": [0, 0, 1], "alpha": 10}}])");
+  EXPECT_BAD_INPUT(glint({"eval", "far.json"}), "far.json:1: entry 1 'far'", "alpha 10 is out of range; 0 to 9 are allowed");
+}
+
 // Each fault at its entry, all at once, and nothing is written.
 TEST(EvalCommand, ArgumentsThatCannotBe) {
   write("work.json", R"([
