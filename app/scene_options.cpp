@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "materials/value.h"
 
@@ -71,6 +72,26 @@ Result<AreaLights> parseAreaLights(const std::string& text) {
   return error("--area-lights", fmt::format("unknown method '{}'", text), suggestion(text, names));
 }
 
+// One of a list of choices, as its enumeration.
+template <class E>
+Result<E> parseChoice(const std::string& text, std::span<const ChoiceInfo> choices, const std::string& place) {
+  std::vector<std::string> names;
+  for (const ChoiceInfo& info : choices) {
+    if (text == info.id) return static_cast<E>(names.size());
+    names.push_back(info.id);
+  }
+  return error(place, fmt::format("unknown choice '{}'", text), suggestion(text, names));
+}
+
+// Which of the two occlusions count.
+Result<std::pair<bool, bool>> parseOcclusion(const std::string& text) {
+  if (text == "material") return std::pair(true, false);
+  if (text == "screen") return std::pair(false, true);
+  if (text == "both") return std::pair(true, true);
+  if (text == "none") return std::pair(false, false);
+  return error("--occlusion", fmt::format("unknown choice '{}'", text), suggestion(text, {"material", "screen", "both", "none"}));
+}
+
 std::vector<std::string> viewNames() {
   std::vector<std::string> names;
   for (const ViewMode& mode : viewModes()) names.push_back(mode.id);
@@ -121,6 +142,9 @@ std::vector<Option> sceneOptionTable() {
       {"--env-intensity", "X", "multiplies the environment"},
       {"--light", "KIND:K=V,..", lightHelp(), true},
       {"--area-lights", "NAME", "how lights with a surface are drawn: cosines (linearly transformed, the default), or by representative points: notes (factor 3), unreal (factor 2), specular-d or plain"},
+      {"--shadows", "WHAT", "off (the default), on (soft shadow maps), or contact (and short shadows where things touch)"},
+      {"--occlusion", "WHAT", "what keeps the environment's light away: material (its ambientOcclusion, the default), screen (what stands near in the picture), both or none"},
+      {"--ground", "WHAT", "under the scene: none (the default), shadow (the background, darker in shadows) or matte (a grey floor that fades out)"},
       {"--camera", "K=V,..", "eye=x/y/z, target=x/y/z, fov=DEG or ortho=HEIGHT"},
       {"--background", "WHAT", "env, blur, none or a colour (r/g/b linear, #rrggbb)"},
       {"--size", "WxH", fmt::format("of the picture, up to {0}x{0}", kLargestPictureSide)},
@@ -129,7 +153,7 @@ std::vector<Option> sceneOptionTable() {
       {"--tonemap", "NAME", "none (the default), aces, agx or pbr-neutral"},
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
       {"--compensate", "", "give back what bounces among facets more than once (Kulla and Conty 2017); off unless the model says otherwise"},
-      {"--reference", "SPP", fmt::format("ground truth instead of approximations: Monte Carlo with this many samples a pixel, 1..{}", kMostReferenceSamples)},
+      {"--reference", "SPP", fmt::format("ground truth instead of approximations: Monte Carlo with this many samples a pixel, 1..{}; without shadows", kMostReferenceSamples)},
   };
 }
 
@@ -147,7 +171,10 @@ std::vector<std::string> lightOptions(const LightKindInfo& info) {
 }
 
 void readLightProperty(const LightProperty& p, const std::string& value, const std::string& place, Light& light, Diagnostics& problems) {
-  if (p.unit == LightProperty::Unit::Color) {
+  if (p.flag) {
+    if (value == "on" || value == "off") light.*p.flag = value == "on";
+    else problems.push_back(error(place, fmt::format("{} is '{}'", p.option, value), "write on or off"));
+  } else if (p.unit == LightProperty::Unit::Color) {
     keep(problems, parseColor(value, place), light.*p.vector);
   } else if (p.vector) {
     glm::vec3& vector = light.*p.vector;
@@ -307,6 +334,12 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   if (given("view")) keep(problems, parseView(arguments.get("view")), options.render.view);
   if (given("exposure")) keep(problems, parseNumber(arguments.get("exposure"), -64, 64, "--exposure"), options.render.exposure);
   if (given("area-lights")) keep(problems, parseAreaLights(arguments.get("area-lights")), options.render.areaLights);
+  if (given("shadows")) keep(problems, parseChoice<Shadows>(arguments.get("shadows"), shadowChoices(), "--shadows"), options.render.shadows);
+  if (given("occlusion")) {
+    std::pair<bool, bool> both;
+    if (keep(problems, parseOcclusion(arguments.get("occlusion")), both)) std::tie(options.render.materialOcclusion, options.render.screenOcclusion) = both;
+  }
+  if (given("ground")) keep(problems, parseChoice<Ground>(arguments.get("ground"), groundChoices(), "--ground"), options.ground);
   if (given("tonemap")) keep(problems, parseTonemap(arguments.get("tonemap")), options.render.tonemap);
   options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);

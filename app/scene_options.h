@@ -44,6 +44,7 @@ struct SceneOptions {
   float environmentIntensity = 1;
   std::vector<Light> lights;
   CameraChoice camera;
+  Ground ground = Ground::None;
   bool backgroundGiven = false;
   glm::ivec2 size{1280, 720};
   RenderSettings render;

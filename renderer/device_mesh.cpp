@@ -11,9 +11,9 @@ DeviceMesh upload(const Mesh& mesh) {
   device.vertices = gl::createBuffer(std::as_bytes(std::span(mesh.vertices)));
   device.indices = gl::createBuffer(std::as_bytes(std::span(clustered.indices)));
   device.clusters = std::move(clustered.clusters);
-  glm::vec3 low, high;
-  mesh.bounds(low, high);
-  device.center = 0.5f * (low + high);
+  device.indexCount = static_cast<GLsizei>(clustered.indices.size());
+  mesh.bounds(device.low, device.high);
+  device.center = 0.5f * (device.low + device.high);
   for (const Vertex& v : mesh.vertices) device.radius = std::max(device.radius, glm::length(v.position - device.center));
 
   device.array = gl::createVertexArray();
@@ -44,6 +44,7 @@ const DeviceMesh& DeviceMeshes::get(const MeshPtr& mesh) {
     found = meshes_.end();
   }
   if (found == meshes_.end()) found = meshes_.emplace(mesh.get(), Entry{mesh, upload(*mesh)}).first;
+  if (found->second.mesh.serial == 0) found->second.mesh.serial = ++uploaded_;
   return found->second.mesh;
 }
 

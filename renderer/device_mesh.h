@@ -13,6 +13,9 @@ struct DeviceMesh {
   gl::Buffer vertices, indices;
   gl::VertexArray array;         // attributes of shaders/passes/gbuffer.vert
   std::vector<Cluster> clusters;
+  uint64_t serial = 0;           // of no other mesh, ever
+  GLsizei indexCount = 0;
+  glm::vec3 low{0}, high{0};     // bounding box, model space
   glm::vec3 center{0};           // bounding sphere, model space
   float radius = 0;
 };
@@ -29,6 +32,7 @@ class DeviceMeshes {
     DeviceMesh mesh;
   };
   std::unordered_map<const Mesh*, Entry> meshes_;
+  uint64_t uploaded_ = 0;
 };
 
 }  // namespace glint

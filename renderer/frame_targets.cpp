@@ -85,6 +85,28 @@ FrameTargets::Picture& FrameTargets::nextPicture() {
   return picture;
 }
 
+const FrameTargets::Visibility& FrameTargets::visibility(int layers) {
+  Visibility& v = visibility_;
+  if (visibilitySizes_ == sizes_ && static_cast<int>(v.layers.size()) >= layers) return v;
+  visibilitySizes_ = sizes_;
+  ++v.made;
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
+  v.texture = gl::Texture(id);
+  glTextureStorage3D(id, 1, GL_R16, width_, height_, layers);
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  v.layers.clear();
+  for (int layer = 0; layer < layers; ++layer) {
+    GLuint framebuffer = 0;
+    glCreateFramebuffers(1, &framebuffer);
+    glNamedFramebufferTextureLayer(framebuffer, GL_COLOR_ATTACHMENT0, id, 0, layer);
+    glNamedFramebufferTexture(framebuffer, GL_DEPTH_STENCIL_ATTACHMENT, depth_.id(), 0);
+    v.layers.emplace_back(framebuffer);
+  }
+  return v;
+}
+
 GLuint FrameTargets::accumulation() {
   if (!accumulation_) {
     accumulationTexture_ = nearestTexture(GL_RGBA32F, width_, height_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "renderer/gl/objects.h"
 
@@ -33,6 +34,15 @@ class FrameTargets {
   };
   Picture& nextPicture();
 
+  // R16, an array: for each pixel how open it is to its surroundings (layer 0), and how much arrives of each light with a
+  // shadow, by its number. Unset where they are anew, which `made` counts.
+  struct Visibility {
+    gl::Texture texture;
+    std::vector<gl::Framebuffer> layers;   // with the frame's depth and stencil
+    unsigned made = 0;
+  };
+  const Visibility& visibility(int layers);
+
   // RGBA32F, for averages and scene-referred pictures; made when first asked for.
   GLuint accumulation();
   GLuint accumulationTexture() const { return accumulationTexture_.id(); }
@@ -46,6 +56,8 @@ class FrameTargets {
   gl::Texture baseColor_, normal_, material_, emissiveTexture_, parametersTexture_, tangentTexture_, depth_, accumulationTexture_;
   gl::Framebuffer gbuffer_, accumulation_;
   std::array<Picture, 2> pictures_;
+  Visibility visibility_;
+  unsigned visibilitySizes_ = 0;   // sizes_ when it was made
   size_t picture_ = 0;
   unsigned sizes_ = 0;           // how often the size changed
 };

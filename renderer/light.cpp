@@ -19,6 +19,7 @@ const LightProperty kRange{"radius", "radius", "Range", "Metres from the middle,
 const LightProperty kConstant{"constant", "constant", "Falloff constant", "What is added to the squared distance: 1 in the notes, 0 in nature", Unit::None, &Light::constant};
 const LightProperty kAxis{"axis", "dir", "Direction", "The way it shines", Unit::Direction, nullptr, &Light::axis};
 const LightProperty kSize{"size", "size", "Radius", "Of the source, metres", Unit::Metres, &Light::size};
+const LightProperty kShadow{"shadow", "shadow", "Shadow", "Whether it casts one when shadows are on", Unit::Switch, nullptr, nullptr, 0, 1, &Light::shadow};
 
 LightProperty spotAngle(const char* key, const char* option, const char* title, const char* doc, float Light::*angle) {
   return {key, option, title, doc, Unit::Degrees, angle, nullptr, 0, 0.5f * kPi};
@@ -29,18 +30,23 @@ const std::vector<LightKindInfo>& kinds() {
       {LightKind::Directional, "directional", "Directional", "dir=1/1/1,lux=3.14",
        {{"direction", "dir", "Direction", "Towards the light", Unit::Direction, nullptr, &Light::direction},
         {"lux", "lux", "Illuminance", "Lux: pi makes a white surface that faces it show 1", Unit::Lux, &Light::lux},
-        kColor}},
-      {LightKind::Point, "point", "Point", "pos=0/2/2,lumens=800", {kPosition, kPower, kColor, kRange, kConstant}},
+        kColor,
+        {"angle", "angle", "Angular size", "Across, as seen from the scene: how soft its shadow is; the sun has 0.53 degrees", Unit::Degrees, &Light::angle, nullptr, 0,
+         kPi / 6},
+        kShadow}},
+      {LightKind::Point, "point", "Point", "pos=0/2/2,lumens=800", {kPosition, kPower, kColor, kRange, kConstant, kShadow}},
       {LightKind::Spot, "spot", "Spot", "pos=0/3/2,to=0/0/0,lumens=800,outer=30",
        {kPosition,
         kAxis,
         {"candela", "cd", "Power", "Along its axis, candela", Unit::Candela, &Light::candela},
         spotAngle("innerAngle", "inner", "Inner angle", "From the axis to where it is still full", &Light::innerAngle),
         spotAngle("outerAngle", "outer", "Outer angle", "From the axis to where it ends", &Light::outerAngle),
+        {"size", "size", "Radius", "Of the source, metres: how soft its shadow is", Unit::Metres, &Light::size},
         kColor,
         kRange,
-        kConstant}},
-      {LightKind::Sphere, "sphere", "Sphere", "pos=0/2/2,lumens=800,size=0.3", {kPosition, kSize, kPower, kColor, kRange, kConstant}},
+        kConstant,
+        kShadow}},
+      {LightKind::Sphere, "sphere", "Sphere", "pos=0/2/2,lumens=800,size=0.3", {kPosition, kSize, kPower, kColor, kRange, kConstant, kShadow}},
       {LightKind::Tube, "tube", "Tube", "from=-1/2/2,to=1/2/2,lumens=800,size=0.05",
        {kPosition,
         {"axis", "dir", "Direction", "Along the tube", Unit::Direction, nullptr, &Light::axis},
@@ -49,7 +55,8 @@ const std::vector<LightKindInfo>& kinds() {
         kPower,
         kColor,
         kRange,
-        kConstant}},
+        kConstant,
+        kShadow}},
       {LightKind::Rectangle, "rectangle", "Rectangle", "pos=0/2/2,to=0/0/0,lumens=800,width=1,height=0.5",
        {kPosition,
         kAxis,
@@ -59,7 +66,8 @@ const std::vector<LightKindInfo>& kinds() {
         kPower,
         kColor,
         kRange,
-        kConstant}}};
+        kConstant,
+        kShadow}}};
   return all;
 }
 
@@ -82,6 +90,18 @@ float lumensPerCandela(const Light& light) {
 float nitsPerCandela(const Light& light) {
   const float area = surfaceArea(light);
   return area > 0 ? lumensPerCandela(light) / (kPi * area) : 0;
+}
+
+bool isSound(const Light& light) {
+  bool sound = true;
+  for (const LightProperty& p : infoOf(light.kind).properties) {
+    if (p.number) sound &= std::isfinite(light.*p.number);
+    if (!p.vector) continue;
+    const glm::vec3 v = light.*p.vector;
+    sound &= std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    if (p.unit == Unit::Direction) sound &= glm::dot(v, v) > 1e-12f;
+  }
+  return sound;
 }
 
 float extent(const Light& light) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace glint {
@@ -175,7 +176,7 @@ PlacedBlock placedBlock(const Light& light) {
   return block;
 }
 
-PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vector<int>& groupOfMaterial, size_t groups,
+PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vector<int>& groupOfMaterial, size_t groups, const std::vector<int>& shadows,
                          float exposureScale, int environmentLevels, glm::vec2 jitter) {
   const Scene& scene = *view.scene;
   PreparedView prepared;
@@ -211,24 +212,42 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   block.exposureScale = exposureScale;
   block.environmentLevels = static_cast<float>(environmentLevels);
 
-  std::vector<Light> reaching;
-  for (const Light& light : scene.lights) {
+  struct Reaching {
+    Light light;
+    int shadow;
+  };
+  std::vector<Reaching> placed;
+  for (size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    const int shadow = shadows[i];
+    if (!isSound(light)) continue;
     if (light.kind == LightKind::Directional) {
       if (prepared.directional.size() == kMostDirectionalLights) {
         prepared.tooManyDirectional = true;
         continue;
       }
-      prepared.directional.push_back({glm::vec4(glm::normalize(light.direction), 0), glm::vec4(light.color * light.lux, 0)});
+      prepared.directional.push_back({glm::vec4(glm::normalize(light.direction), shadow), glm::vec4(light.color * light.lux, 0)});
     } else if (light.radius > 0) {
-      reaching.push_back(light);
-      reaching.back().kind = shapeOf(light);
+      placed.push_back({light, shadow});
+      Light& shape = placed.back().light;
+      shape.kind = shapeOf(light);
+      if (shape.kind != LightKind::Point || shadow == 0) continue;
+      // The blocks of points have no room for a shadow's number; a spot that shines to all sides is the same light.
+      shape.kind = LightKind::Spot;
+      shape.innerAngle = shape.outerAngle = glm::pi<float>();
     }
   }
-  std::stable_sort(reaching.begin(), reaching.end(), [](const Light& a, const Light& b) { return a.kind < b.kind; });
-  for (const Light& light : reaching) {
+  std::stable_sort(placed.begin(), placed.end(), [](const Reaching& a, const Reaching& b) { return a.light.kind < b.light.kind; });
+  std::vector<Light> reaching;
+  for (const auto& [light, shadow] : placed) {
+    reaching.push_back(light);
     prepared.kinds |= 1u << static_cast<unsigned>(light.kind);
-    if (light.kind == LightKind::Point) prepared.points.push_back(pointBlock(light));
-    else prepared.placed.push_back(placedBlock(light));
+    if (light.kind == LightKind::Point) {
+      prepared.points.push_back(pointBlock(light));
+    } else {
+      prepared.placed.push_back(placedBlock(light));
+      prepared.placed.back().axis.w = static_cast<float>(shadow);
+    }
   }
   block.directionalCount = static_cast<int32_t>(prepared.directional.size());
 

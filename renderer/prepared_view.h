@@ -24,7 +24,7 @@ struct ViewBlock {
 static_assert(sizeof(ViewBlock) == 64 + 9 * 16 + 16);
 
 struct DirectionalBlock {
-  glm::vec4 direction, radiance;
+  glm::vec4 direction, radiance;   // direction.w: the number of its shadow, 0 without
 };
 inline constexpr size_t kMostDirectionalLights = 16;
 
@@ -36,7 +36,7 @@ static_assert(sizeof(PointBlock) == kPointTexels * 16);
 // PlacedLight of shaders/common/lights.glsl.
 struct PlacedBlock {
   glm::vec4 position, intensity;   // as of a point light
-  glm::vec4 axis, right;
+  glm::vec4 axis, right;           // axis.w: the number of its shadow, 0 without
   glm::vec4 extent;
 };
 static_assert(sizeof(PlacedBlock) == kPlacedTexels * 16);
@@ -71,7 +71,8 @@ struct PreparedView {
 
 // `jitter` moves the samples by a fraction of a pixel (-0.5 .. 0.5).
 // `groupOfMaterial` names the light group of each of the scene's materials, 0 .. groups - 1 or -1 for not drawn.
-PreparedView prepareView(const View&, DeviceMeshes&, const std::vector<int>& groupOfMaterial, size_t groups,
+// `shadows` has the number of each light's shadow, 0 without.
+PreparedView prepareView(const View&, DeviceMeshes&, const std::vector<int>& groupOfMaterial, size_t groups, const std::vector<int>& shadows,
                          float exposureScale, int environmentLevels, glm::vec2 jitter);
 
 }  // namespace glint

@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
+#include "materials/base/hash.h"
 #include "renderer/environment_lighting.h"
 #include "renderer/model_shaders.h"
 #include "renderer/passes/background_pass.h"
 #include "renderer/passes/buffer_view_pass.h"
 #include "renderer/passes/gbuffer_pass.h"
 #include "renderer/passes/lighting_pass.h"
+#include "renderer/passes/occlusion_pass.h"
 #include "renderer/passes/reference_pass.h"
+#include "renderer/passes/shadow_pass.h"
 #include "renderer/program_cache.h"
 
 namespace glint {
@@ -64,10 +68,22 @@ struct Renderer::State {
     ReadyView r;
     FrameUploads& uploads = frame.uploads;
     for (const SurfaceMaterial& material : view.scene->materials) {
-      r.groupOfMaterial.push_back(groupOf(material, r.groups));
+      r.groupOfMaterial.push_back(isDrawn(material) ? groupOf(material, r.groups) : -1);
       r.materialBlocks.push_back(uploads.append(material.block));
     }
-    r.view = prepareView(view, meshes, r.groupOfMaterial, r.groups.size(), std::exp2(frame.settings.exposure),
+    if (frame.hasShadows() || frame.hasScreenOcclusion()) r.casters = castersOf(*view.scene);
+    std::vector<int> shadows(view.scene->lights.size());
+    if (frame.hasShadows()) {
+      Diagnostics problems;
+      shadows = shadowNumbers(view.scene->lights, r.casters, problems);
+      for (const Diagnostic& problem : problems) frame.report(problem);
+      for (size_t i = 0; i < shadows.size(); ++i) {
+        if (shadows[i] == 0) continue;
+        r.shadows.resize(std::max(r.shadows.size(), static_cast<size_t>(shadows[i])));
+        r.shadows[static_cast<size_t>(shadows[i]) - 1] = *shadowView(view.scene->lights[i], r.casters, kShadowMapSide);
+      }
+    }
+    r.view = prepareView(view, meshes, r.groupOfMaterial, r.groups.size(), shadows, std::exp2(frame.settings.exposure),
                          EnvironmentLighting::kLevels - 1, jitter);
     if (view.scene->environment) r.view.block.environmentIntensity /= lighting.maps(view.scene->environment).scale;
     if (r.view.tooManyDirectional)
@@ -103,14 +119,32 @@ struct Renderer::State {
     return r;
   }
 
+  // A ground shows light that is kept away, where any is.
+  bool isDrawn(const SurfaceMaterial& material) const {
+    if (material.ground == Ground::None) return true;
+    return frame.approximates() && (material.ground == Ground::Matte || frame.hasShadows() || frame.hasScreenOcclusion());
+  }
+
+  CasterBounds castersOf(const Scene& scene) {
+    CasterBounds box;
+    for (const Instance& instance : scene.instances) {
+      if (scene.materials[static_cast<size_t>(instance.material)].ground != Ground::None) continue;
+      const DeviceMesh& mesh = meshes.get(instance.mesh);
+      for (int i = 0; i < 8; ++i)
+        box.add(instance.worldFromModel * glm::vec4(i & 1 ? mesh.high.x : mesh.low.x, i & 2 ? mesh.high.y : mesh.low.y, i & 4 ? mesh.high.z : mesh.low.z, 1));
+    }
+    return box;
+  }
+
   int groupOf(const SurfaceMaterial& material, std::vector<LightGroup>& groups) {
     LightGroup group;
+    group.ground = material.ground;
     const auto sound = shaders.sound(material.model, frame.problems);
     group.broken = !sound;
     group.setting = modelSetting(sound ? sound : shaders.of(material.model), material.modelParameters, material.compiled->plainNonmetal);
     const ShadingModel& model = *group.setting.shader->model;
     group.compensate = (frame.settings.compensate || model.compensate) && !model.isWhole();  // it has no facets to bounce among
-    group.key = group.setting.key() ^ (group.compensate ? 1 : 0);
+    group.key = group.setting.key() ^ (group.compensate ? 1 : 0) ^ static_cast<uint64_t>(group.ground) << 1;
     for (size_t i = 0; i < groups.size(); ++i)
       if (groups[i].key == group.key) return static_cast<int>(i);
     if (groups.size() == kMostGroups) {
@@ -126,8 +160,10 @@ struct Renderer::State {
     prepare(views, settings, jitterOf(sample));
     frame.framebuffer = framebuffer;
     frame.output = output;
+    frame.sample = sample;
     frame.targets.resize(size.x, size.y, frame.optional);
     gbufferPass.draw(frame);
+    drawVisibility();
     if (frame.isLit() && settings.reference > 0) {
       const int first = firstReferenceSample(settings, sample);
       referencePass.draw(frame, lists, first, firstReferenceSample(settings, sample + 1) - first);
@@ -136,6 +172,48 @@ struct Renderer::State {
     // In an average every pixel must count its samples, so a black background is drawn there too.
     if (output != Output::Picture || !BackgroundPass::isBlack(frame)) backgroundPass.draw(frame);
     statistics.coarseTables = static_cast<int>(lighting.coarseCount());
+  }
+
+  // What keeps light away; again only when it may be another than in the last frame.
+  void drawVisibility() {
+    size_t shadows = 0;
+    for (const ReadyView& r : frame.views) shadows = std::max(shadows, r.shadows.size());
+    frame.visibility = 0;
+    if (shadows == 0 && !frame.hasScreenOcclusion()) return;
+    const FrameTargets::Visibility& visibility = frame.targets.visibility(static_cast<int>(shadows) + 1);
+    frame.visibility = visibility.texture.id();
+    std::vector<Image8Ptr> images;
+    uint64_t key = visibility.made;
+    const auto add = [&key](const auto& value) { key = hashBytes(&value, sizeof value, key); };
+    add(frame.sample);
+    add(frame.settings.shadows);
+    add(frame.settings.occlusionRadius);
+    add(frame.hasScreenOcclusion());
+    for (const ReadyView& r : frame.views) {
+      add(r.view.rectangle);
+      key = hashBytes(&r.view.block, offsetof(ViewBlock, environmentX), key);   // where it looks from
+      add(shadowPass.castersKey(r));
+      for (const ShadowView& shadow : r.shadows) add(shadow);
+      for (const SurfaceMaterial& material : r.view.scene->materials) {
+        add(isDrawn(material));
+        add(material.doubleSided);
+        if (!material.compiled->writesNormal && !material.compiled->writesOpacityMask) continue;
+        add(material.compiled->hash);
+        key = hashBytes(material.block.data(), material.block.size(), key);
+        images.insert(images.end(), material.textures.begin(), material.textures.end());
+      }
+    }
+    for (const Image8Ptr& image : images) {
+      const Image8* address = image.get();
+      add(address);
+    }
+    if (key == visibilityKey) return;
+    visibilityKey = key;
+    visibilityImages = std::move(images);
+    if (shadows > 0) statistics.shadowMaps += shadowPass.draw(frame, visibility);
+    if (frame.hasScreenOcclusion()) occlusionPass.draw(frame, visibility);
+    // The lighting reads what was drawn here, with the same depth attached.
+    glTextureBarrier();
   }
 
   // Black, and sound (alpha 1) as often as samples will be added.
@@ -205,6 +283,11 @@ struct Renderer::State {
   LightingPass lightingPass{programs, frame.rectangles, lighting, backgroundPass};
   ReferencePass referencePass{programs, lighting, backgroundPass};
   BufferViewPass bufferViewPass{programs};
+  ShadowPass shadowPass{programs, meshes, gbufferPass};
+  OcclusionPass occlusionPass{programs};
+  // Of what FrameTargets::visibility holds, and its pictures, so that none of the same address takes their place.
+  uint64_t visibilityKey = 0;
+  std::vector<Image8Ptr> visibilityImages;
   int accumulated = 0;
   FrameTargets::Picture* picture = nullptr;
   Statistics statistics;

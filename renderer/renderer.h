@@ -29,6 +29,18 @@ struct AreaLightsInfo {
 };
 std::span<const AreaLightsInfo> areaLightMethods();
 inline constexpr int kMostReferenceSamples = 65536;
+// Which shadows lights cast (those whose Light::shadow is set; renderer/light_shadow.h says which of them can): none, those of
+// shadow maps with soft edges, or those and the short ones where things touch, that a map is too coarse for, found in the
+// depth of the picture. The reference has none.
+enum class Shadows { Off, Maps, Contact };
+// A choice by its name, title and explanation: of Shadows and of Ground, in their order.
+struct ChoiceInfo {
+  const char* id;        // "contact"
+  const char* title;
+  const char* doc;
+};
+std::span<const ChoiceInfo> shadowChoices();
+std::span<const ChoiceInfo> groundChoices();
 enum class Background { Environment, Blur, None, Color };
 
 // A picture's view of the scene: the lit one, the white furnace, or one of the buffers.
@@ -57,6 +69,11 @@ struct RenderSettings {
   // What bounces among facets more than once is given back (renderer/model_tables.h), also by models that do not ask for it.
   bool compensate = false;
   AreaLights areaLights = AreaLights::Cosines;
+  Shadows shadows = Shadows::Off;
+  // What keeps the light of the surroundings from a surface: the material's ambientOcclusion, and what is near it on the
+  // screen (shaders/passes/occlusion.frag), within `occlusionRadius` metres; 0: half the radius of what is drawn.
+  bool materialOcclusion = true, screenOcclusion = false;
+  float occlusionRadius = 0;
   int samples = 1;                             // jittered frames averaged, >= 1
   // Monte Carlo samples of each pixel, over all of those frames together; 0: lights and environment are approximated. The
   // truth is an average of radiance, which is tone mapped as a whole.
@@ -119,6 +136,7 @@ class Renderer {
     int triangles = 0, lightGroups = 0, lights = 0;
     int invalidPixels = 0;                     // NaN or infinite before they were replaced
     int coarseTables = 0;                      // RenderSettings::coarse
+    int shadowMaps = 0;                        // that were drawn for it: none while lights and surfaces stay
   };
   const Statistics& statistics() const;
 

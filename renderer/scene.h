@@ -20,6 +20,10 @@
 namespace glint {
 
 // A material ready to draw: compiled, with its shading model, parameter values and textures.
+// What a surface under the subject (renderer/ground.h) shows, fading out towards its rim: the background, darker where light
+// does not arrive; or itself. It casts no shadow, and is there in the lit view only.
+enum class Ground { None, Shadow, Matte };
+
 struct SurfaceMaterial {
   std::shared_ptr<const CompiledMaterial> compiled;
   std::shared_ptr<const ShadingModel> model;
@@ -30,6 +34,7 @@ struct SurfaceMaterial {
   std::vector<Value> modelParameters;
   bool doubleSided = false;
   float opacityCutoff = 0.5f;          // opacityMask below this is a hole
+  Ground ground = Ground::None;
 };
 
 struct Instance {

@@ -33,6 +33,22 @@ std::span<const AreaLightsInfo> areaLightMethods() {
   return kMethods;
 }
 
+std::span<const ChoiceInfo> shadowChoices() {
+  static constexpr ChoiceInfo kChoices[] = {
+      {"off", "Off", "Light goes through everything"},
+      {"on", "On", "Shadow maps, with edges as soft as their lights are large"},
+      {"contact", "With contact", "And the short shadows where things touch, from the depth of the picture"}};
+  return kChoices;
+}
+
+std::span<const ChoiceInfo> groundChoices() {
+  static constexpr ChoiceInfo kChoices[] = {
+      {"none", "None", "Nothing to stand on"},
+      {"shadow", "Shadow", "The background, darker where light is kept away"},
+      {"matte", "Matte", "A grey floor that fades into the background"}};
+  return kChoices;
+}
+
 const ViewMode* findViewMode(const std::string& id) {
   for (const ViewMode& mode : viewModes())
     if (id == mode.id) return &mode;

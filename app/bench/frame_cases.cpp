@@ -7,8 +7,10 @@
 namespace glint {
 namespace {
 
-RenderSettings plainSettings() {
+RenderSettings plainSettings(Shadows shadows = Shadows::Off) {
   RenderSettings settings;
+  settings.shadows = shadows;
+  settings.screenOcclusion = shadows != Shadows::Off;
   settings.background = Background::None;  // the spheres are what is measured
   return settings;
 }
@@ -19,6 +21,26 @@ View standardView(const Scene& scene) { return {&scene, standardCamera(), {0, 0,
 void draw(BenchSetup& setup, const Scene& scene) {
   const View view = standardView(scene);
   setup.renderer().drawToTexture({&view, 1}, kStandardSize, plainSettings());
+}
+
+// The same with all shadows and occlusion; a camera that turns leaves nothing of the frame before but the maps, one that does
+// not the shadows themselves.
+BenchCase shadowCase(const std::string& name, const std::string& doc, bool turning) {
+  return {name, doc, [=](BenchSetup& setup) -> Result<Measurement> {
+            const auto model = plainModel(setup.libraries);
+            if (!model) return model.diagnostics();
+            auto scene = standardScene({*model}, setup.libraries);
+            if (!scene) return scene.diagnostics();
+            scene->lights.push_back(standardSun());
+            View view = standardView(*scene);
+            float turn = 0;
+            Measurement result = measure(name, setup.effort, [&] {
+              if (turning) view.camera.eye.x = 0.01f * ++turn;
+              setup.renderer().drawToTexture({&view, 1}, kStandardSize, plainSettings(Shadows::Contact));
+            });
+            if (hasErrors(setup.renderer().problems())) return setup.renderer().problems();
+            return result;
+          }};
 }
 
 Result<Scene> litScene(BenchSetup& setup, const std::vector<ModelPtr>& models, bool sun, bool environment, int points, LightKind kind = LightKind::Point) {
@@ -72,6 +94,8 @@ std::vector<BenchCase> frameCases(const ModelRegistry& models) {
   cases.push_back(frameCase("frame.dir", "the standard scene at 1280x720 under one directional light", true, false, 0));
   cases.push_back(frameCase("frame.env", "under the studio environment", false, true, 0));
   cases.push_back(frameCase("frame.both", "under both", true, true, 0));
+  cases.push_back(shadowCase("frame.shadow", "frame.dir with shadows, contact shadows and occlusion, nothing moving", false));
+  cases.push_back(shadowCase("frame.shadow.turning", "the same with a camera that moves", true));
   for (const int count : {16, 128, 1024})
     cases.push_back(frameCase(fmt::format("frame.p{}", count), fmt::format("under {} point lights", count), false, false, count));
   for (const LightKind kind : {LightKind::Spot, LightKind::Sphere, LightKind::Tube, LightKind::Rectangle})

@@ -446,7 +446,7 @@ std::vector<Option> options() {
   };
   // What `render` has for one scene and a comparison says otherwise.
   for (Option& option : sceneOptionTable())
-    if (option.name != "--model" && option.name != "--size") all.push_back(std::move(option));
+    if (option.name != "--model" && option.name != "--size" && option.name != "--ground") all.push_back(std::move(option));
   return all;
 }
 

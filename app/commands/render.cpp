@@ -9,6 +9,7 @@
 #include "app/scene_loader.h"
 #include "app/scene_options.h"
 #include "materials/base/log.h"
+#include "renderer/ground.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -44,7 +45,7 @@ int run(const Arguments& arguments) {
   Libraries libraries(arguments.modelFolders);
   log::report(libraries.warnings());
   log::report(tonemapWarning(arguments, output, *kind));
-  const auto scene = loadScene(*options, libraries, warnings);
+  auto scene = loadScene(*options, libraries, warnings);
   log::report(warnings);
   if (!scene) return badInput(scene.diagnostics());
 
@@ -57,6 +58,14 @@ int run(const Arguments& arguments) {
   renderer.setProgress(log::progress);
   Camera camera = frameScene(*scene, float(options->size.x) / float(options->size.y));
   options->camera.apply(camera);
+  if (options->ground != Ground::None) {
+    const auto plain = libraries.model(newMaterial("ground").model, "--ground");
+    if (!plain) return badInput(plain.diagnostics());
+    addGround(*scene, options->ground, *plain);
+    includeGround(camera, *scene);
+    if (options->ground == Ground::Shadow && options->render.shadows == Shadows::Off && !options->render.screenOcclusion)
+      log::report(warning("--ground", "shadow shows nothing", "without --shadows or --occlusion screen nothing is kept from it"));
+  }
   const View view{&*scene, camera, {0, 0, options->size.x, options->size.y}};
   const ImageNotes notes = pictureNotes(arguments, **context, {&*scene, 1});
   Image8 picture;

@@ -81,17 +81,25 @@ struct Reader {
   }
   template <class E, size_t N>
   void read(const char* key, E& value, const std::pair<E, std::string_view> (&names)[N]) const {
-    const Json* found = get(key, &Json::isString, "a name");
-    if (!found) return;
-    for (const auto& [e, text] : names)
-      if (text == found->text) {
-        value = e;
-        return;
-      }
     std::vector<std::string> known;
     for (const auto& [e, text] : names) known.emplace_back(text);
+    if (const auto index = readName(key, known)) value = names[*index].first;
+  }
+  // In the order of the enumeration.
+  template <class E>
+  void read(const char* key, E& value, std::span<const ChoiceInfo> choices) const {
+    std::vector<std::string> known;
+    for (const ChoiceInfo& choice : choices) known.emplace_back(choice.id);
+    if (const auto index = readName(key, known)) value = static_cast<E>(*index);
+  }
+  std::optional<size_t> readName(const char* key, const std::vector<std::string>& known) const {
+    const Json* found = get(key, &Json::isString, "a name");
+    if (!found) return std::nullopt;
+    for (size_t i = 0; i < known.size(); ++i)
+      if (known[i] == found->text) return i;
     warnings.push_back(warning(place + ":" + std::to_string(found->line), "unknown " + std::string(key) + " '" + found->text + "'",
                                suggestion(found->text, known)));
+    return std::nullopt;
   }
 };
 
@@ -120,7 +128,9 @@ std::optional<Light> readLight(const Json& json, const std::string& place, Diagn
   }
   light.kind = info->kind;
   for (const LightProperty& property : info->properties) {
-    if (property.number) {
+    if (property.flag) {
+      reader.read(property.key, light.*property.flag);
+    } else if (property.number) {
       reader.read(property.key, light.*property.number, property.least, property.most);
     } else {
       glm::vec3& vector = light.*property.vector;
@@ -165,7 +175,7 @@ bool Preview::sameSettings(const Preview& o) const {
   const auto key = [](const Preview& p) {
     return std::tie(p.subject, p.models, p.columns, p.materials, p.sweepName, p.sweepFrom, p.sweepTo, p.sweepCount,
                     p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
-                    p.exposure, p.tonemap, p.background, p.compensate, p.areaLights);
+                    p.exposure, p.tonemap, p.background, p.compensate, p.areaLights, p.shadows, p.materialOcclusion, p.screenOcclusion, p.ground);
   };
   return key(*this) == key(o) && backgroundColor == o.backgroundColor && lights == o.lights;
 }
@@ -192,7 +202,7 @@ Json previewJson(const Preview& p) {
     Json& one = lights.push(Json::object());
     const LightKindInfo& info = infoOf(light.kind);
     one.set("kind", Json::of(std::string(info.id)));
-    for (const LightProperty& property : info.properties) one.set(property.key, property.vector ? vec(light.*property.vector) : Json::of(light.*property.number));
+    for (const LightProperty& property : info.properties) one.set(property.key, property.flag ? Json::of(light.*property.flag) : property.vector ? vec(light.*property.vector) : Json::of(light.*property.number));
   }
   json.set("view", Json::of(p.view));
   json.set("exposure", Json::of(p.exposure));
@@ -202,6 +212,10 @@ Json previewJson(const Preview& p) {
   json.set("compensate", Json::of(p.compensate));
   for (const AreaLightsInfo& info : areaLightMethods())
     if (info.method == p.areaLights) json.set("areaLights", Json::of(std::string(info.id)));
+  json.set("shadows", Json::of(std::string(shadowChoices()[size_t(p.shadows)].id)));
+  json.set("materialOcclusion", Json::of(p.materialOcclusion));
+  json.set("screenOcclusion", Json::of(p.screenOcclusion));
+  json.set("ground", Json::of(std::string(groundChoices()[size_t(p.ground)].id)));
   json.set("orbit", orbitJson(p.orbit));
   json.set("comparisonOrbit", orbitJson(p.comparisonOrbit));
   return json;
@@ -243,6 +257,10 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   reader.read("areaLights", method);
   for (const AreaLightsInfo& info : areaLightMethods())
     if (info.id == method) p.areaLights = info.method;
+  reader.read("shadows", p.shadows, shadowChoices());
+  reader.read("materialOcclusion", p.materialOcclusion);
+  reader.read("screenOcclusion", p.screenOcclusion);
+  reader.read("ground", p.ground, groundChoices());
   readOrbit(json, "orbit", p.orbit, place, warnings);
   readOrbit(json, "comparisonOrbit", p.comparisonOrbit, place, warnings);
   return p;

@@ -55,6 +55,10 @@ struct Preview {
   glm::vec3 backgroundColor{0.02f};     // linear
   bool compensate = false;              // as RenderSettings
   AreaLights areaLights = AreaLights::Cosines;
+  // Of a mesh; a comparison of spheres has none of them.
+  Shadows shadows = Shadows::Contact;
+  bool materialOcclusion = true, screenOcclusion = true;
+  Ground ground = Ground::Matte;
 
   // Not a step of undo: looking around changes nothing.
   Orbit orbit;

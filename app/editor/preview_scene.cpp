@@ -7,6 +7,7 @@
 #include "materials/graph_compile.h"
 #include "materials/material_library.h"
 #include "renderer/environment.h"
+#include "renderer/ground.h"
 
 namespace glint {
 namespace {
@@ -339,6 +340,7 @@ void PreviewScene::buildMesh(const FrameRequest& request, const Scene& stage) {
   }
   if (built.instances.empty()) built.materials.clear();
   boundsOf(built, center, radius);
+  if (preview.ground != Ground::None && !built.instances.empty()) addGround(built, preview.ground, model(request, newMaterial("ground").model, "ground"));
   scene = std::move(built);
   subject = preview.mesh;
 }

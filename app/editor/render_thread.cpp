@@ -183,6 +183,11 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   const Preview& preview = request.preview;
   settings_ = {.view = preview.view, .exposure = preview.exposure, .tonemap = preview.tonemap,
                .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .areaLights = preview.areaLights, .coarse = true};
+  if (!scene.comparison) {
+    settings_.shadows = preview.shadows;
+    settings_.materialOcclusion = preview.materialOcclusion;
+    settings_.screenOcclusion = preview.screenOcclusion;
+  }
   const int divisor = request.dragging && smoothedCost_ > kSlowMilliseconds ? 2 : 1;
   const glm::ivec2 size = glm::max(request.size / divisor, glm::ivec2(1));
   views_.clear();

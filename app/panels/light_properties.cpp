@@ -39,7 +39,7 @@ bool number(Light& light, const LightProperty& p) {
   float& value = light.*p.number;
   if (p.unit == Unit::Degrees) {
     float degrees = glm::degrees(value);
-    if (!ui::slider(p.title, degrees, std::max(glm::degrees(p.least), -180.0f), std::min(glm::degrees(p.most), 180.0f), "%.0f\u00b0")) return false;
+    if (!ui::slider(p.title, degrees, std::max(glm::degrees(p.least), -180.0f), std::min(glm::degrees(p.most), 180.0f), p.most < 1 ? "%.2f\u00b0" : "%.0f\u00b0")) return false;
     value = glm::radians(degrees);
     return true;
   }
@@ -57,7 +57,8 @@ bool lightProperties(Light& light) {
       continue;
     }
     ui::beginProperty(p.title, p.doc);
-    if (p.unit == Unit::Color) changed |= ui::color(p.title, &(light.*p.vector).x, 1);
+    if (p.flag) changed |= ui::checkbox(p.title, light.*p.flag);
+    else if (p.unit == Unit::Color) changed |= ui::color(p.title, &(light.*p.vector).x, 1);
     else if (p.unit == Unit::Position) changed |= ui::drag(p.title, &(light.*p.vector).x, 3, 0.02f, -1e4f, 1e4f, "%.2f");
     else if (p.unit == Unit::Candela) changed |= power(light, p);
     else changed |= number(light, p);

@@ -18,6 +18,7 @@ class ScenePanel final : public Panel {
     const PanelBody body;
     if (ui::section("Environment")) environment(editor);
     if (ui::section("Lights")) lights(editor);
+    if (ui::section("Shadows and ground")) shadows(editor);
     if (ui::section("Picture")) picture(editor);
     if (ui::section("Comparison", false)) comparison(editor);
   }
@@ -139,6 +140,38 @@ class ScenePanel final : public Panel {
       p.areaLights = areaLightMethods()[size_t(chosen)].method;
       return true;
     });
+  }
+
+  template <class E>
+  static void choose(const char* title, const char* doc, Editor& editor, std::span<const ChoiceInfo> choices, E Preview::*member) {
+    const Preview standard;
+    property(title, doc, editor, [&](Preview& p, bool reset) {
+      if (reset) p.*member = standard.*member;
+      std::vector<std::string> names, docs;
+      for (const ChoiceInfo& choice : choices) {
+        names.push_back(choice.title);
+        docs.push_back(choice.doc);
+      }
+      int index = int(p.*member);
+      if (!ui::choice(title, index, names, docs)) return false;
+      p.*member = E(index);
+      return true;
+    });
+  }
+  static void toggle(const char* title, const char* doc, Editor& editor, bool Preview::*member) {
+    const Preview standard;
+    property(title, doc, editor, [&](Preview& p, bool reset) {
+      if (reset) p.*member = standard.*member;
+      return ui::checkbox(title, p.*member);
+    });
+  }
+
+  static void shadows(Editor& editor) {
+    if (editor.document().preview().subject == Preview::Subject::Comparison) ui::textDim("Of a mesh: spheres of a comparison have none.");
+    choose("Shadows", "Of the lights that have theirs on", editor, shadowChoices(), &Preview::shadows);
+    toggle("Material AO", "What the material\u2019s ambient occlusion keeps of the environment\u2019s light", editor, &Preview::materialOcclusion);
+    toggle("Screen AO", "What stands near in the picture keeps of it", editor, &Preview::screenOcclusion);
+    choose("Ground", "What the mesh stands on", editor, groundChoices(), &Preview::ground);
   }
 
   static void picture(Editor& editor) {

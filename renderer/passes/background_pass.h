@@ -9,6 +9,15 @@ namespace glint {
 class BackgroundPass {
  public:
   BackgroundPass(ProgramCache& programs, EnvironmentLighting& lighting) : programs_(programs), lighting_(lighting) {}
+  // What shaders/common/backdrop.glsl reads.
+  struct Backdrop {
+    glm::vec4 color{0, 0, 0, 1};
+    float level = 0;
+    GLuint cube = 0;
+    void bind(const gl::Program&) const;
+  };
+  // Builds maps of an environment that it meets for the first time, which changes the state.
+  Backdrop backdrop(const Frame&, const ReadyView&);
   // True when all is black, which a clear gives for less.
   static bool isBlack(const Frame&);
   void draw(const Frame&);
@@ -16,7 +25,7 @@ class BackgroundPass {
   void drawBroken(const Frame&, const ReadyView&, int group);
 
  private:
-  void fill(const Frame&, const ReadyView&, int group, glm::vec4 color, float level = 0);
+  void fill(const Frame&, const ReadyView&, int group, const Backdrop&);
 
   ProgramCache& programs_;
   EnvironmentLighting& lighting_;

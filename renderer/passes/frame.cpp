@@ -28,6 +28,26 @@ void Frame::beginRectangles() const {
   }
 }
 
+void Frame::beginSurfaces(GLuint into) const {
+  beginRectangles();
+  glBindFramebuffer(GL_FRAMEBUFFER, into);
+  glDisable(GL_BLEND);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+}
+
+void Frame::drawSurfaces(const gl::Program& program, const ReadyView& view) const {
+  const glm::ivec4 r = view.view.rectangle;
+  rectangles.draw(program, size(), Tile{r.x, r.y, r.x + r.z, r.y + r.w, 0, 0, 0, 0});
+}
+
+void Frame::setScreen(const gl::Program& program, const ReadyView& view) const {
+  const glm::ivec4 r = view.view.rectangle;
+  const GLint corners[4] = {r.x, r.y, r.x + r.z, r.y + r.w};
+  glProgramUniform4iv(program.id(), program.location("viewRectangle"), 1, corners);
+  program.set("sampleNumber", static_cast<float>(sample));
+}
+
 void Frame::drawGroup(const gl::Program& program, const ReadyView& view, int group) const {
   const LightGroup& g = view.groups[static_cast<size_t>(group)];
   glStencilFunc(GL_EQUAL, group + 1, 0xff);
@@ -35,9 +55,8 @@ void Frame::drawGroup(const gl::Program& program, const ReadyView& view, int gro
 }
 
 void Frame::drawRectangle(const gl::Program& program, const ReadyView& view, int group) const {
-  const glm::ivec4 r = view.view.rectangle;
   glStencilFunc(GL_EQUAL, group + 1, 0xff);
-  rectangles.draw(program, size(), Tile{r.x, r.y, r.x + r.z, r.y + r.w, 0, 0, 0, 0});
+  drawSurfaces(program, view);
 }
 
 void Frame::report(const Diagnostic& problem) {

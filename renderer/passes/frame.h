@@ -6,6 +6,7 @@
 
 #include "renderer/frame_targets.h"
 #include "renderer/frame_uploads.h"
+#include "renderer/light_shadow.h"
 #include "renderer/model_setting.h"
 #include "renderer/prepared_view.h"
 #include "renderer/rectangles.h"
@@ -26,6 +27,7 @@ struct LightGroup {
   size_t tileLights = 0, tiles = 0;     // offsets in the uploads
   size_t tileLightTexels = 0, tileCount = 0;
   bool compensate = false;
+  Ground ground = Ground::None;
   bool broken = false;                  // no version of the plugin ever compiled
   uint64_t key = 0;
 };
@@ -37,6 +39,8 @@ struct ReadyView {
   std::vector<LightGroup> groups;
   std::vector<int> groupOfMaterial;     // -1: too many groups
   std::vector<size_t> materialBlocks;   // offsets in the uploads
+  CasterBounds casters;
+  std::vector<ShadowView> shadows;      // by their number, from 1
   size_t viewBlock = 0, directional = 0;
 };
 
@@ -46,7 +50,9 @@ struct Frame {
   FrameTargets targets;
   OptionalAttachments optional;
   RenderSettings settings;
+  int sample = 0;                       // of those averaged
   Output output = Output::Picture;
+  GLuint visibility = 0;                // FrameTargets::visibility, where something is drawn into it
   GLuint framebuffer = 0;               // of light, with the G-buffer's depth and stencil
   float furnaceGround = 1;              // radiance behind the surfaces of the white furnace
   Rectangles rectangles;
@@ -55,11 +61,20 @@ struct Frame {
   bool isFurnace() const { return settings.view == kFurnaceView; }
   // Whether the shading models draw it; the other views show a buffer.
   bool isLit() const { return settings.view == "lit" || isFurnace(); }
+  // Whether shadows and occlusion are drawn: by the approximations of light, which the reference and the furnace are none of.
+  bool approximates() const { return settings.view == "lit" && settings.reference == 0; }
+  bool hasShadows() const { return approximates() && settings.shadows != Shadows::Off; }
+  bool hasScreenOcclusion() const { return approximates() && settings.screenOcclusion; }
   // Of programs that end in outputColor() of shaders/common/output.glsl.
   std::vector<std::string> outputDefines() const;
   std::vector<std::string> displayDefines() const;   // and in displayed() of shaders/common/tonemap.glsl
 
   glm::ivec2 size() const { return {targets.width(), targets.height()}; }
+  // Into another framebuffer with the frame's depth and stencil: without blending, where any surface is.
+  void beginSurfaces(GLuint framebuffer) const;
+  void drawSurfaces(const gl::Program&, const ReadyView&) const;
+  // What shaders/common/screen.glsl reads.
+  void setScreen(const gl::Program&, const ReadyView&) const;
   // The state of every pass that draws rectangles where the stencil is right.
   void beginRectangles() const;
   // The pixels of the view where the stencil is `group` + 1; -1: where no surface is.

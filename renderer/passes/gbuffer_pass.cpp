@@ -29,13 +29,11 @@ const gl::Program* GbufferPass::program(Frame& frame, const CompiledMaterial& ma
   return *program;
 }
 
-void GbufferPass::bind(const Frame& frame, const ReadyView& r, const gl::Program& program, size_t index, int group) {
+void GbufferPass::bindMaterial(const Frame& frame, const ReadyView& r, const gl::Program& program, size_t index, int group) {
   const SurfaceMaterial& material = r.view.scene->materials[index];
   program.use();
-  program.set("lightGroup", static_cast<float>(group) / 255.0f);
   program.set("opacityCutoff", material.opacityCutoff);
   program.set4("standardParameters", r.groups[static_cast<size_t>(group)].setting.slots.data());
-  glStencilFunc(GL_ALWAYS, group + 1, 0xff);
   if (material.compiled->blockSize > 0)
     frame.uploads.bind(GL_UNIFORM_BUFFER, kMaterialParametersBinding, r.materialBlocks[index], material.block.size());
   const auto& slots = material.compiled->textures;
@@ -76,7 +74,11 @@ void GbufferPass::draw(Frame& frame) {
       if (bound != instance->material) {
         bound = instance->material;
         drawn = program(frame, *material.compiled);
-        if (drawn) bind(frame, r, *drawn, m, group);
+        if (drawn) {
+          bindMaterial(frame, r, *drawn, m, group);
+          drawn->set("lightGroup", static_cast<float>(group) / 255.0f);
+          glStencilFunc(GL_ALWAYS, group + 1, 0xff);
+        }
       }
       if (!drawn) continue;
       drawn->setMatrix4("worldFromModel", &instance->worldFromModel[0][0]);

@@ -12,10 +12,11 @@ class GbufferPass {
   explicit GbufferPass(ProgramCache& programs) : programs_(programs) {}
   void draw(Frame&);
   void forgetUnused() { textures_.forgetUnused(); }
+  // What the GLSL of a material reads, for any program that holds it; which is then in use.
+  void bindMaterial(const Frame&, const ReadyView&, const gl::Program&, size_t material, int group);
 
  private:
   const gl::Program* program(Frame&, const CompiledMaterial&);
-  void bind(const Frame&, const ReadyView&, const gl::Program&, size_t material, int group);
 
   ProgramCache& programs_;
   DeviceTextures textures_;

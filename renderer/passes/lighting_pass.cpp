@@ -26,7 +26,7 @@ void LightingPass::draw(Frame& frame, LightLists& lists) {
       // A plugin that compiles by itself may still clash with a name of a pass.
       const Diagnostics faults = r.groups[g].broken ? Diagnostics{} : drawGroup(frame, lists, r, g);
       for (const Diagnostic& fault : faults) frame.report(fault);
-      if (r.groups[g].broken || !faults.empty()) background_.drawBroken(frame, r, static_cast<int>(g));
+      if (r.groups[g].ground == Ground::None && (r.groups[g].broken || !faults.empty())) background_.drawBroken(frame, r, static_cast<int>(g));
     }
 }
 
@@ -43,6 +43,10 @@ Diagnostics LightingPass::drawGroup(Frame& frame, LightLists& lists, const Ready
   if (furnace) defines.push_back("FURNACE");
   if (frame.optional.parameters) defines.push_back("READS_PARAMETERS");
   if (group.compensate) defines.push_back("COMPENSATE");
+  if (group.ground != Ground::None) defines.push_back(fmt::format("GROUND {}", static_cast<int>(group.ground)));
+  if (!r.shadows.empty()) defines.push_back("SHADOWS");
+  if (frame.hasScreenOcclusion() && surrounded) defines.push_back("SCREEN_OCCLUSION");
+  if (!frame.settings.materialOcclusion) defines.push_back("NO_MATERIAL_OCCLUSION");
   Surroundings around;
   if (surrounded) {
     auto made = surroundings(frame, r.view.scene->environment, group.setting);
@@ -63,11 +67,15 @@ Diagnostics LightingPass::drawGroup(Frame& frame, LightLists& lists, const Ready
   }
   const Diagnostics faults = lighting_.tables().apply(group.setting, program);
   GLINT_CHECK(faults.empty(), "a sound shader has tables");
+  BackgroundPass::Backdrop behind;
+  if (group.ground != Ground::None) behind = background_.backdrop(frame, r);
   // Building tables changed the state.
   frame.beginRectangles();
   lists.bind(frame, r, group);
   if (surrounded) bind(around, model, program);
   if (areaTable) glBindTextureUnit(10, areaTable);
+  if (frame.visibility) glBindTextureUnit(16, frame.visibility);
+  if (group.ground != Ground::None) behind.bind(program);
   frame.drawGroup(program, r, static_cast<int>(index));
   return {};
 }

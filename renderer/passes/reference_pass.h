@@ -1,4 +1,5 @@
-// Lights the G-buffer by Monte Carlo: the truth that the lighting pass approximates, from the same GLSL of the models.
+// Lights the G-buffer by Monte Carlo: the truth that the lighting pass approximates, from the same GLSL of the models. All light
+// arrives: no surface stands in the way of another.
 #pragma once
 
 #include "renderer/environment_lighting.h"

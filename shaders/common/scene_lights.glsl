@@ -1,18 +1,21 @@
 // The lights of a view, and what a model sends on of those that have one direction. After the model's own text and
 // view.glsl; POINT_LIGHTS and PLACED_LIGHTS say which others there are.
 struct DirectionalLight {
-  vec4 direction;  // towards the light
+  vec4 direction;  // towards the light; w: the number of its shadow, 0 without
   vec4 radiance;   // lux: E = radiance NoL
 };
 layout(std140, binding = 2) uniform DirectionalLights { DirectionalLight directional[16]; };
+
+#include "shaders/common/visibility.glsl"
 
 vec3 directionalLights(inout Shading s, Parameters p) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < view.directionalCount; ++i) {
     vec3 L = directional[i].direction.xyz;
     setLight(s, L);
-    sum += modelLit(s, p) * directional[i].radiance.rgb * max(dot(s.N, L), 0.0);
-    if (modelScatters) sum += modelScattered(s, p) * directional[i].radiance.rgb;
+    vec3 radiance = directional[i].radiance.rgb * lightVisibility(directional[i].direction.w);
+    sum += modelLit(s, p) * radiance * max(dot(s.N, L), 0.0);
+    if (modelScatters) sum += modelScattered(s, p) * radiance;
   }
   return sum;
 }

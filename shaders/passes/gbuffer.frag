@@ -2,13 +2,7 @@
 #include "shaders/common/view.glsl"
 #include "shaders/common/material.glsl"
 #include "shaders/common/gbuffer.glsl"
-layout(location = 0) in vec3 inNormal;
-layout(location = 1) in vec3 inPosition;
-layout(location = 2) in vec4 inTangent;
-layout(location = 3) in vec2 inUv0;
-layout(location = 4) in vec2 inUv1;
-layout(location = 5) in vec4 inColor;
-layout(location = 6) in vec3 inLocalPosition;
+#include "shaders/common/material_inputs.glsl"
 layout(location = 0) out vec4 outBaseColor;
 layout(location = 1) out vec4 outNormal;
 layout(location = 2) out vec4 outMaterial;
@@ -28,15 +22,7 @@ uniform vec4 standardParameters;
 #pragma glint material
 
 void main() {
-  MaterialInputs i;
-  i.uv0 = inUv0;
-  i.uv1 = inUv1;
-  i.vertexColor = inColor;
-  i.position = inPosition;
-  i.localPosition = inLocalPosition;
-  i.normal = normalize(gl_FrontFacing ? inNormal : -inNormal);
-  i.tangent = normalize(inTangent.xyz - i.normal * dot(i.normal, inTangent.xyz));
-  i.bitangent = cross(i.normal, i.tangent) * inTangent.w;
+  MaterialInputs i = materialInputs();
   i.view = towardsViewer(gl_FragCoord.xy);
   MaterialAttributes m;
   m.model = standardParameters;

@@ -8,6 +8,9 @@ layout(location = 4) in vec2 inUv1;
 layout(location = 5) in vec4 inColor;
 uniform mat4 worldFromModel;
 uniform mat4 normalFromModel;  // inverse transpose
+#ifdef SHADOW_MAP
+uniform mat4 mapFromWorld;     // clip space of a light's map
+#endif
 layout(location = 0) out vec3 outNormal;
 layout(location = 1) out vec3 outPosition;
 layout(location = 2) out vec4 outTangent;
@@ -18,7 +21,11 @@ layout(location = 6) out vec3 outLocalPosition;
 
 void main() {
   vec4 position = worldFromModel * vec4(inPosition, 1.0);
+#ifdef SHADOW_MAP
+  gl_Position = mapFromWorld * position;
+#else
   gl_Position = view.clipFromWorld * position;
+#endif
   outPosition = position.xyz;
   outLocalPosition = inPosition;
   outNormal = mat3(normalFromModel) * inNormal;

@@ -10,6 +10,9 @@ layout(location = 0) flat in ivec4 inLights;
 layout(location = 0) out vec4 outColor;
 #include "shaders/common/shaded_pixel.glsl"
 #include "shaders/common/scene_lights.glsl"
+#ifdef GROUND
+#include "shaders/common/backdrop.glsl"
+#endif
 
 #ifdef ENVIRONMENT
 layout(binding = 6) uniform samplerCube prefilteredEnvironment;
@@ -45,6 +48,11 @@ EnvironmentBrdf environmentBrdfAt(float NoV, float roughness) {
   vec4 table = textureLod(environmentBrdf, (vec2(NoV, roughness) * (kBrdfSize - 1.0) + 0.5) / kBrdfSize, 0.0);
   return EnvironmentBrdf(vec3(table.x), vec3(table.y), vec3(table.z), table.w);
 #endif
+}
+
+// What of a lobe's light arrives where `open` of the hemisphere's does (Lagarde and de Rousiers 2014, listing 26).
+float specularOpenness(float NoV, float open, float roughness) {
+  return clamp(pow(NoV + open, exp2(-16.0 * roughness - 1.0)) - 1.0 + open, 0.0, 1.0);
 }
 
 // Inverse of EnvironmentLighting::levelRoughness.
@@ -161,14 +169,9 @@ vec3 placedLight(PlacedLight light, Receiver receiver, Shading s, Parameters p) 
 }
 #endif
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  Surface surface;
-  Shading s;
-  Parameters p;
-  shadePixel(pixel, surface, s, p);
+// What the surface under a pixel sends to the viewer of the light that arrives, apart from its cavity.
+vec3 sentOn(ivec2 pixel, Surface surface, Shading s, Parameters p) {
   vec3 N = s.N, V = s.V;
-
   vec3 radiance = directionalLights(s, p);
 #if defined(POINT_LIGHTS) || defined(PLACED_LIGHTS)
   vec3 position = worldPosition(gl_FragCoord.xy, texelFetch(gDepth, pixel, 0).r);
@@ -183,7 +186,7 @@ void main() {
   Receiver receiving = receiver(s, p);
 #define LIGHTS_OF_KIND(kind, count) \
   for (int i = 0; i < (count); ++i, texel += kPlacedLightTexels) \
-    radiance += placedLight(placedLightAt(texel, kind, position), receiving, s, p) * texelFetch(tileLights, texel + 1).rgb;
+    radiance += placedLight(placedLightAt(texel, kind, position), receiving, s, p) * texelFetch(tileLights, texel + 1).rgb * lightVisibility(texelFetch(tileLights, texel + 2).w);
 #ifdef SPOT_LIGHTS
   LIGHTS_OF_KIND(kSpotLight, inLights.z & 0xffff)
 #endif
@@ -215,13 +218,26 @@ void main() {
 #else
   vec3 diffuseColor = s.diffuseColor;
 #endif
+#ifdef NO_MATERIAL_OCCLUSION
+  float open = 1.0;
+#else
+  float open = surface.ambientOcclusion;
+#endif
+#ifdef SCREEN_OCCLUSION
+  open *= surroundingsVisibility();
+  specularLight *= specularOpenness(NoV, open, surface.roughness);
+  diffuseLight *= open;
+#endif
   vec3 light = specularLight * max(reflected, 0.0) + diffuseLight * diffuseColor * brdf.diffuse;
 #ifdef MODEL_COAT
   setLight(s, R);
   float coatRoughness = clamp(modelCoatRoughness(p), 0.0, 1.0);
   EnvironmentBrdf coat = coloredBrdfAt(coatBrdf, NoV, coatRoughness);
-  light = light * modelThroughCoat(s, p) + textureLod(prefilteredCoat, environmentFromWorld(R), levelOf(coatRoughness)).rgb *
-                                               max(s.F0 * coat.scale + coat.bias, 0.0) * modelCoatStrength(p);
+  vec3 coatLight = textureLod(prefilteredCoat, environmentFromWorld(R), levelOf(coatRoughness)).rgb;
+#ifdef SCREEN_OCCLUSION
+  coatLight *= specularOpenness(NoV, open, coatRoughness);
+#endif
+  light = light * modelThroughCoat(s, p) + coatLight * max(s.F0 * coat.scale + coat.bias, 0.0) * modelCoatStrength(p);
 #endif
 #ifdef COMPENSATE
   // What a single bounce loses comes back from all sides.
@@ -236,16 +252,44 @@ void main() {
   if (modelScatters) {
     // From all sides, by the corners of an icosahedron, in light as soft as what comes out of the surface.
     const vec2 k = vec2(0.5257311, 0.8506508);
+#ifdef SCREEN_OCCLUSION
+    float scattered = open;
+#else
+    float scattered = 1.0;
+#endif
     for (int i = 0; i < 12; ++i) {
       vec3 corner = vec3(0.0, (i & 1) == 0 ? k.x : -k.x, (i & 2) == 0 ? k.y : -k.y);
       vec3 L = i < 4 ? corner : i < 8 ? corner.zxy : corner.yzx;
       setLight(s, L);
-      light += modelScattered(s, p) * diffuseIrradiance(environmentFromWorld(L)) * (kPi / 3.0);
+      light += modelScattered(s, p) * diffuseIrradiance(environmentFromWorld(L)) * (scattered * kPi / 3.0);
     }
   }
-  radiance += light * (surface.ambientOcclusion * view.environmentIntensity);
+#ifdef SCREEN_OCCLUSION
+  radiance += light * view.environmentIntensity;
+#else
+  radiance += light * (open * view.environmentIntensity);
 #endif
-  radiance *= surface.cavity;
+#endif
+  return radiance;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  Surface surface;
+  Shading s;
+  Parameters p;
+  shadePixel(pixel, surface, s, p);
+#ifdef GROUND
+  // GROUND 1: the background, as much darker as light is kept away; 2: itself. The rim, where the cavity ends, is the background.
+  vec3 sent = sentOn(pixel, surface, s, p), behind = backgroundRadiance(gl_FragCoord.xy);
+#if GROUND == 1
+  withShadows = 0.0;
+  vec3 whole = sentOn(pixel, surface, s, p);
+  sent = behind * clamp((sent + 1e-6) / (whole + 1e-6), 0.0, 1.0);
+#endif
+  outColor = outputColor(mix(behind, sent, surface.cavity));
+#else
+  vec3 radiance = sentOn(pixel, surface, s, p) * surface.cavity;
 #ifdef EMISSIVE
   radiance += texelFetch(gEmissive, pixel, 0).rgb;
 #endif
@@ -255,4 +299,5 @@ void main() {
   radiance = min(radiance, 1.0) * mix(vec3(1.0, 0.22, 0.04), vec3(1.0), 1.0 / max(most, 1.0));
 #endif
   outColor = outputColor(radiance);
+#endif
 }
