@@ -12,6 +12,13 @@ namespace {
 // Lights as arrays, so that the tests below run several lights an instruction.
 struct LightArrays {
   std::vector<float> x, y, z, radius, extent;
+  // The spots, which are next to each other, with their cones.
+  struct Cone {
+    glm::vec3 axis;
+    float cosine, sine;
+  };
+  size_t firstSpot = 0;
+  std::vector<Cone> cones;
   explicit LightArrays(std::span<const Light> lights) {
     for (const Light& light : lights) {
       x.push_back(light.position.x);
@@ -19,11 +26,14 @@ struct LightArrays {
       z.push_back(light.position.z);
       radius.push_back(light.radius);
       extent.push_back(glint::extent(light));
+      if (light.kind != LightKind::Spot) continue;
+      if (cones.empty()) firstSpot = x.size() - 1;
+      cones.push_back({glm::normalize(light.axis), std::cos(light.outerAngle), std::sin(light.outerAngle)});
     }
   }
 };
 
-// Sets the bits of the lights whose sphere touches the cluster's and that stand before some of its triangles.
+// Sets the bits of the lights whose sphere, and a spot's cone, touches the cluster's sphere and that stand before some of its triangles.
 void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vector<uint8_t>& reached) {
   const size_t count = lights.x.size();
   // A light below all tangent planes lights nothing: the highest of its directions above the cone's plane is
@@ -40,6 +50,15 @@ void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vec
     const float bound = -(c.coneCosine * along + c.radius + (c.coneCosine + sine) * lights.extent[i]);
     const bool behind = cone & (bound > 0) & (bound * bound > sine * sine * distance2);
     reached[i] = (distance2 < reach * reach) & !behind;
+  }
+  for (size_t k = 0; k < lights.cones.size(); ++k) {
+    const LightArrays::Cone& spot = lights.cones[k];
+    const size_t i = lights.firstSpot + k;
+    if (spot.cosine < 0) continue;   // it shines to more than one side
+    const glm::vec3 d = c.center - glm::vec3(lights.x[i], lights.y[i], lights.z[i]);
+    const float along = glm::dot(d, spot.axis), across = std::sqrt(std::max(glm::dot(d, d) - along * along, 0.0f));
+    // How far the sphere's middle lies outside the cone.
+    reached[i] &= spot.cosine * across - spot.sine * along < c.radius;
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "app/scene_options.h"
@@ -140,6 +141,40 @@ TEST(CosineFit, FindsWhatItWasMadeFrom) {
       EXPECT_NEAR(density(fit.matrix), density(made), 0.06 * density(made)) << x << " " << y;
     }
   EXPECT_FALSE(fitCosine({{0, 0, 1}}, {0.0}).known);
+}
+
+// The view of lights per tile: a spot is there where its cone is, and the picture is the same as of one in a larger cone.
+TEST_F(LightsTest, SpotsReachTheirConeAlone) {
+  Scene s;
+  s.materials.push_back(test::material(models->find("ggx"), {}));
+  const MeshPtr plane = planeMesh();
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) s.instances.push_back({plane, glm::scale(glm::translate(glm::mat4(1), {i - 3.5f, j - 3.5f, 0}), glm::vec3(0.5f)), 0});
+  s.lights = {Light{.kind = LightKind::Spot, .position = {-2, -2, 3}, .candela = 20, .radius = 30, .axis = {0, 0, -1}, .innerAngle = 0.1f, .outerAngle = 0.25f}};
+  Camera camera;
+  camera.orthoHeight = 8;
+  constexpr int kSide = 512;
+  const View view{&s, camera, {0, 0, kSide, kSide}};
+  RenderSettings settings;
+  settings.view = "lightCount";
+  const ImageF counts = renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
+  settings.view = "lit";
+  const ImageF lit = renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
+  int counted = 0;
+  for (size_t i = 0; i < lit.data.size(); i += 3) {
+    counted += counts.data[i + 2] > 0;
+    if (lit.data[i] > 0) {
+      ASSERT_GT(counts.data[i + 2], 0) << "lit without a light, pixel " << i / 3;
+    }
+  }
+  // It lights a disc of 0.77 m. Of the picture's 64 tiles that is 36 at most, with half a plane and a pixel around it, while its
+  // sphere reaches all.
+  EXPECT_GT(counted, 64 * 64);
+  EXPECT_LE(counted, 36 * 64 * 64);
+  // One that looks away reaches nothing.
+  s.lights[0].axis = {0, 0, 1};
+  settings.view = "lightCount";
+  for (const float value : renderer->linear(std::span(&view, 1), {kSide, kSide}, settings).data) ASSERT_EQ(value, 0);
 }
 
 // Lights where they cannot be, drawn by every model with every method: never a pixel that is not a number.
