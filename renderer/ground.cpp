@@ -38,8 +38,8 @@ std::shared_ptr<const CompiledMaterial> groundMaterial() {
     compiled->name = "ground";
     compiled->glsl =
         "void evaluateMaterial(in MaterialInputs i, inout MaterialAttributes m) {\n"
-        "  m.baseColor = vec3(0.4); m.metallic = 0.0; m.specular = 0.0; m.roughness = 1.0; m.ambientOcclusion = 1.0;\n"
-        "  m.cavity = 1.0 - smoothstep(0.35, 0.95, length(i.localPosition.xz));\n"
+        "  m.baseColor = vec3(0.18); m.metallic = 0.0; m.specular = 0.0; m.roughness = 1.0; m.ambientOcclusion = 1.0;\n"
+        "  m.cavity = 1.0 - smoothstep(0.25, 0.95, length(i.localPosition.xz));\n"
         "  m.normal = vec3(0.0, 0.0, 1.0); m.emissive = vec3(0.0); m.opacityMask = 1.0;\n}\n";
     compiled->hash = hashText(compiled->glsl);
     return compiled;

@@ -65,6 +65,12 @@ TEST(SceneOptions, LightsHaveTheUnitsOfTheContract) {
   ASSERT_TRUE(sun);
   EXPECT_NEAR(glm::distance(sun->direction, glm::vec3(0, 0.6f, 0.8f)), 0, 1e-6);
   EXPECT_EQ(sun->lux, 2);
+  EXPECT_TRUE(sun->shadow);
+  EXPECT_NEAR(glm::degrees(sun->angle), 0.53, 1e-3);
+  const auto soft = parseLight("directional:dir=0/3/4,angle=5,shadow=off");
+  ASSERT_TRUE(soft);
+  EXPECT_NEAR(glm::degrees(soft->angle), 5, 1e-5);
+  EXPECT_FALSE(soft->shadow);
 }
 
 TEST(SceneOptions, EveryFaultIsReportedAtItsOption) {
@@ -95,6 +101,11 @@ TEST(SceneOptions, EveryFaultIsReportedAtItsOption) {
   expectFault("light", "spot:pos=0/1/0,inner=40,outer=30", "inner is larger");
   expectFault("light", "spot:pos=0/1/0,outer=100", "out of range");
   expectFault("light", "rectangle:pos=0/1/0,cd=1,nits=2", "give one of them");
+  expectFault("light", "spot:pos=0/1/0,shadow=maybe", "write on or off");
+  expectFault("light", "directional:dir=0/1/0,angle=90", "out of range");
+  expectFault("shadows", "contacts", "did you mean 'contact'?");
+  expectFault("occlusion", "screens", "did you mean 'screen'?");
+  expectFault("ground", "mate", "did you mean 'matte'?");
   expectFault("area-lights", "nots", "did you mean 'notes'?");
   expectFault("light", "point:cd=1", "needs its pos");
   expectFault("light", "directional", "needs its dir");

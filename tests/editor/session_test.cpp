@@ -199,6 +199,10 @@ TEST(Preview, ReadsBackWhatItWroteAndForgivesDamage) {
   Preview preview;
   preview.columns = Preview::Columns::Sweep;
   preview.lights.push_back({.kind = LightKind::Point, .position = {1, 2, 3}, .candela = 7});
+  preview.lights.push_back({.kind = LightKind::Directional, .angle = 0.05f, .shadow = false});
+  preview.shadows = Shadows::Maps;
+  preview.materialOcclusion = preview.screenOcclusion = false;
+  preview.ground = Ground::Shadow;
   preview.tonemap = Tonemap::AgX;
   preview.exposure = -1.5f;
   Diagnostics warnings;

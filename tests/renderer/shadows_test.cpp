@@ -143,6 +143,32 @@ TEST_F(ShadowsTest, GrowSofterWithTheLight) {
   EXPECT_GE(soft.second, 7) << "of 0.1 m, which are more than three";
 }
 
+// What a material cuts out lets light through.
+TEST_F(ShadowsTest, OfHolesAreBright) {
+  Scene scene = sphereOverPlane({sun(0)});
+  scene.materials.push_back(white());
+  auto compiled = std::make_shared<CompiledMaterial>(*scene.materials[1].compiled);
+  const std::string solid = "m.opacityMask = 1.0;";
+  compiled->glsl.replace(compiled->glsl.find(solid), solid.size(), "m.opacityMask = length(i.uv0 - 0.5) - 0.1;");   // against 0.15: a disc of half the width
+  compiled->hash = hashText(compiled->glsl);
+  compiled->writesOpacityMask = true;
+  scene.materials[1].compiled = compiled;
+  scene.materials[1].opacityCutoff = 0.15f;
+  scene.instances[1] = {planeMesh(), glm::scale(glm::translate(glm::mat4(1), {0, 0, 1}), glm::vec3(0.4f)), 1};
+  const ImageF without = draw(scene, shadows(Shadows::Off));
+  const auto dark = [&] {
+    const Pixels<double> lit = share(draw(scene, shadows(Shadows::Maps)), without);
+    double area = 0;
+    for (int j = 0; j < 128; ++j)
+      for (int i = 0; i < 50; ++i) area += (1 - *lit.at(i, j)) / (32.0 * 32.0);
+    return area;
+  };
+  EXPECT_NEAR(dark(), 0.8 * 0.8 - kPi * 0.2 * 0.2, 0.03);
+  EXPECT_EQ(renderer->statistics().shadowMaps, 0) << "of the last sample";
+  scene.materials[1].opacityCutoff = -1;
+  EXPECT_NEAR(dark(), 0.8 * 0.8, 0.03);
+}
+
 TEST_F(ShadowsTest, OffAndWithoutCastersNothingChanges) {
   std::vector<Light> lights = {sun(0.5f)};
   for (const char* text : {"sphere:pos=1/1/3,size=0.2,cd=5", "spot:pos=-1/1/3,to=0/0/0,cd=5", "point:pos=0/2/2,cd=3"}) lights.push_back(*parseLight(text));
