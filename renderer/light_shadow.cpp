@@ -11,6 +11,7 @@
 namespace glint {
 namespace {
 
+constexpr float kLargestSource = 0.35f;   // half its size over its distance: no single map tells what a larger one sees
 constexpr float kWidestCone = 1.3f;   // radians from a map's axis: wider ones would spend their texels on the rim
 
 struct Axes {
@@ -115,11 +116,13 @@ std::optional<ShadowView> placed(const Light& light, const CasterBounds& box, in
   view.mapFromWorld = kUnitFromClip * glm::frustum(low.x * n, high.x * n, low.y * n, high.y * n, n, f) * mapAxesFromWorld(axes, light.position);
   glm::vec3 u, v;
   sourceAxes(light, axes, u, v);
+  for (glm::vec3* half : {&u, &v})
+    if (const float length = glm::length(*half), most = kLargestSource * distance; length > most) *half *= most / length;
   const glm::vec2 scale = (f - n) / (f * n) / (high - low);
   view.source = {glm::dot(u, axes.x) * scale.x, glm::dot(u, axes.y) * scale.y, glm::dot(v, axes.x) * scale.x, glm::dot(v, axes.y) * scale.y};
   view.towards = glm::vec4(light.position, 1);
   view.texel = std::max(high.x - low.x, high.y - low.y) / static_cast<float>(side);
-  view.sine = std::min(std::max(glm::length(u), glm::length(v)) / std::max(distance - radius, 0.1f * distance), 1.0f);
+  view.sine = std::min(std::max(glm::length(u), glm::length(v)) / std::max(distance - radius, 0.5f * distance), 0.5f);
   return view;
 }
 

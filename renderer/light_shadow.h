@@ -34,7 +34,7 @@ struct ShadowView {
   glm::vec4 source{0};
   glm::vec4 towards{0};    // xyz: where the light is, w = 1; or the direction to a directional one, w = 0
   float texel = 0;         // of the map, in metres; with w = 1 for each metre from the light
-  float sine = 0;          // of the angle that the source takes up at the nearest caster: light comes from so far below the horizon
+  float sine = 0;          // of the angle that half of the source takes up: it sinks below a surface's horizon over twice that
 };
 // Tight around the casters. None without casters, and for a light that stands among them and has no cone.
 std::optional<ShadowView> shadowView(const Light&, const CasterBounds&, int side);

@@ -15,17 +15,19 @@ uniform vec2 texel;          // side of one: metres (with towards.w = 1 for each
 uniform float sine;
 uniform float contactLength; // metres
 
-const int kSearched = 10, kFiltered = 12, kContactSteps = 12;
-const float kWidest = 0.12;       // of the map: a penumbra's half width, so that so few samples can make it
+const int kSearched = 12, kFiltered = 16, kContactSteps = 12;
+const float kWidest = 0.4;       // of the map: a penumbra's half width, so that so few samples can make it
 const float kEmpty = 0.999999;    // a map's depth where nothing is
-const float kSteepest = 6.0;      // slope that a receiving plane is followed to
+const float kSteepest = 0.16;     // cosine to the light down to which a receiving plane is followed
 const float kTilt = 0.14;         // slope below which what rises from it casts no shadow on it
 
 // Vogel's spiral: points of a disc, each turned by the golden angle from the one before.
 const mat2 kGolden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
 float mapVisibility(vec3 P, vec3 plane, vec3 L, float distance, vec2 noise) {
-  float cosine = clamp(dot(plane, L), 0.0, 1.0), slope = sqrt(1.0 - cosine * cosine);
+  // Not steeper than can be followed.
+  plane = normalize(plane + L * max(kSteepest - dot(plane, L), 0.0));
+  float cosine = dot(plane, L), slope = sqrt(max(1.0 - cosine * cosine, 0.0));
   // Off the surface, by as much as its depth changes over the texels that one test reads.
   float side = texel.x * (towards.w > 0.0 ? distance : 1.0);
   vec3 X = P + plane * (side * (0.4 + 1.6 * slope));
@@ -35,7 +37,6 @@ float mapVisibility(vec3 P, vec3 plane, vec3 L, float distance, vec2 noise) {
   // The receiving plane in the map: a wide filter must not meet the surface itself.
   vec4 inMap = vec4(plane, -dot(plane, X)) * worldFromMap;
   vec2 gradient = abs(inMap.z) > 1e-12 ? -inMap.xy / inMap.z : vec2(0.0);
-  gradient *= min(1.0, kSteepest * cosine / max(slope, 1e-4));
   // And not its neighbours either, which a mesh tilts a little against it: a cone, not a plane.
   vec4 nearer = mapFromWorld * vec4(X + L * side, 1.0);
   float tilt = kTilt * abs(m.z - nearer.z / max(nearer.w, 1e-9)) / texel.y;
@@ -56,20 +57,20 @@ float mapVisibility(vec3 P, vec3 plane, vec3 L, float distance, vec2 noise) {
     way += blocked * max(m.z - z, 0.0);
     a = kGolden * a;
   }
-  bool some = blockers > 0.5 && blockers < float(kSearched) - 0.5;
+  bool some = blockers > 0.5;
   way = min(way / max(blockers, 1.0), kWidest / max(max(length(source.xy), length(source.zw)), 1e-9));
   u = source.xy * way;
   v = source.zw * way;
   a = start;
   float lit = 0.0;
-  // A loop that ends at once where there is no edge: software GL runs through what an if holds.
+  // A loop that ends at once where nothing is in the way: software GL runs through what an if holds.
   for (int i = 0, count = some ? kFiltered : 0; i < count; ++i) {
     vec2 p = a * sqrt((float(i) + noise.y) / float(kFiltered));
     vec2 offset = p.x * u + p.y * v + p * (0.8 * texel.y);
     lit += textureLod(shadowTest, vec3(m.xy + offset, m.z + dot(gradient, offset) - tilt * length(offset)), 0.0);
     a = kGolden * a;
   }
-  return some ? lit / float(kFiltered) : blockers > 0.5 ? 0.0 : 1.0;
+  return some ? lit / float(kFiltered) : 1.0;
 }
 
 #ifdef CONTACT
@@ -104,11 +105,12 @@ void main() {
   float triangle = (1.0 - smoothstep(0.978, 0.99, agreeing)) * smoothstep(0.0, 0.15, facing) * step(0.5, agreeing);
   vec3 plane = normalize(mix(N, G, triangle));
   vec2 noise = pixelNoise(gl_FragCoord.xy);
-  // What lies below the horizon is dark by its shading alone.
-  bool above = dot(N, L) > -sine;
-  float visibility = above ? mapVisibility(P, plane, L, distance, noise) : 1.0;
+  // What is turned away is dark by its shading alone, and a large source is shaded as far as it is above the horizon: there a
+  // map seen from its middle knows nothing more.
+  float above = clamp(dot(N, L) / max(sine, 1e-3), 0.0, 1.0);
+  float visibility = above > 0.0 ? mapVisibility(P, plane, L, distance, noise) : 1.0;
 #ifdef CONTACT
-  visibility *= contactVisibility(P, plane, L, linearDepth(depthValue), noise.y, above && facing > 0.05 && visibility > 0.0);
+  visibility *= contactVisibility(P, plane, L, linearDepth(depthValue), noise.y, above > 0.0 && facing > 0.05 && visibility > 0.0);
 #endif
-  outVisibility = visibility;
+  outVisibility = mix(1.0, visibility, above);
 }
