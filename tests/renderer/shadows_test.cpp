@@ -98,6 +98,36 @@ TEST_F(ShadowsTest, OfASphereLieWhereGeometrySays) {
   }
 }
 
+// A thing of a centimetre and one of a hundred metres look the same.
+TEST_F(ShadowsTest, AndOcclusionKnowNoSize) {
+  const auto at = [&](float size) {
+    Scene scene = sphereOverPlane({sun(5), *parseLight("rectangle:pos=-1/1/2,to=0/0/0,width=0.5,height=0.5,cd=4,constant=0,radius=100")});
+    scene.environment = test::uniformEnvironment(0.5f);
+    for (Instance& instance : scene.instances) instance.worldFromModel = glm::scale(glm::mat4(1), glm::vec3(size)) * instance.worldFromModel;
+    Light& light = scene.lights[1];
+    light.position *= size;
+    light.radius *= size;
+    light.width *= size;
+    light.height *= size;
+    light.candela *= size * size;
+    Camera camera = above();
+    camera.eye = glm::vec3(0, 2, 5) * size;
+    camera.orthoHeight *= size;
+    camera.nearPlane *= size;
+    camera.farPlane *= size;
+    RenderSettings settings = shadows(Shadows::Contact, 1);
+    settings.screenOcclusion = true;
+    return draw(scene, settings, camera, 96);
+  };
+  const ImageF metre = at(1);
+  for (const float size : {0.01f, 100.0f}) {
+    const ImageF other = at(size);
+    double difference = 0;
+    for (size_t i = 0; i < metre.data.size(); ++i) difference += std::abs(metre.data[i] - other.data[i]);
+    EXPECT_LT(difference / static_cast<double>(metre.data.size()), 2e-3) << size;
+  }
+}
+
 // The light of a disc that an edge crosses goes from a tenth to nine over 0.687 of its width.
 TEST_F(ShadowsTest, GrowSofterWithTheLight) {
   const auto width = [](const Scene& scene) {
