@@ -67,7 +67,8 @@ float mapVisibility(vec3 P, vec3 plane, vec3 L, float distance, vec2 noise) {
   for (int i = 0, count = some ? kFiltered : 0; i < count; ++i) {
     vec2 p = a * sqrt((float(i) + noise.y) / float(kFiltered));
     vec2 offset = p.x * u + p.y * v + p * (0.8 * texel.y);
-    lit += textureLod(shadowTest, vec3(m.xy + offset, m.z + dot(gradient, offset) - tilt * length(offset)), 0.0);
+    // What lies farther than all casters is compared with the empty map too.
+    lit += textureLod(shadowTest, vec3(m.xy + offset, min(m.z + dot(gradient, offset) - tilt * length(offset), kEmpty)), 0.0);
     a = kGolden * a;
   }
   return some ? lit / float(kFiltered) : 1.0;

@@ -361,6 +361,19 @@ TEST_F(ShadowsTest, AGroundShowsThem) {
   EXPECT_NEAR(at(ground, {2, -1, 1}), 0.5, 1e-3);
   EXPECT_NEAR(at(ground, {-1.8f, -1, 2}), 0.5, 1e-3);
   EXPECT_NEAR(at(ground, {0, 0, 1}), at(alone, {0, 0, 1}), 0.01) << "the subject is what it was";
+  // Behind all that casts shadows these are soft as well.
+  const auto partly = [&](float degrees) {
+    scene.lights[0].angle = glm::radians(degrees);
+    const ImageF image = draw(scene, settings, camera);
+    int count = 0;
+    for (int j = 0; j < 128; ++j)
+      for (int i = 0; i < 64; ++i)
+        count += image.at(i, j)[0] > 0.1f && image.at(i, j)[0] < 0.4f && alone.at(i, j)[0] == 0.5f;
+    return count;
+  };
+  const int hard = partly(0), soft = partly(12);
+  EXPECT_GT(hard, 0);
+  EXPECT_GT(soft, 4 * hard);
   settings.shadows = Shadows::Off;
   EXPECT_EQ(draw(scene, settings, camera).data, alone.data) << "nothing to show";
 }
