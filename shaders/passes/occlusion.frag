@@ -10,8 +10,9 @@ layout(location = 0) out vec2 outOcclusion;   // the share, and the depth in met
 uniform float radius;        // metres
 uniform ivec2 halfOffset;    // of the pixel that is looked at, among the four of a texel
 
-const int kSlices = 2, kSteps = 5;
+const int kSlices = 2, kSteps = 8;
 const float kPi = 3.14159265;
+const float kLift = 0.002;   // cosine: what rises less is the surface itself, rounded
 
 // The light that comes from the side of an angle h up to the view direction, by the cosine to a normal at angle n.
 float arc(float h, float n) { return 0.25 * (cos(n) + 2.0 * h * sin(n) - cos(2.0 * h - n)); }
@@ -46,7 +47,7 @@ void main() {
         float z = texelFetch(gDepth, clamp(there, viewRectangle.xy, viewRectangle.zw - 1), 0).r;
         vec3 to = worldPosition(vec2(there) + 0.5, z) - P;
         float far = max(length(to), 1e-9), weight = z < 1.0 && inView(there) ? clamp(2.0 - 2.0 * far / radius, 0.0, 1.0) : 0.0;
-        float cosine = mix(low[side], dot(to, V) / far, weight);
+        float cosine = mix(low[side], dot(to, V) / far - kLift, weight);
         horizon[side] = max(horizon[side], cosine);
       }
     }

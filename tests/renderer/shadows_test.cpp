@@ -324,9 +324,11 @@ TEST_F(ShadowsTest, OcclusionOfAPlaneAndOfACorner) {
   for (const float x : {0.04f, 0.1f, 0.2f, 0.4f, 0.6f}) {
     const auto expected = [&](float height) { return 0.5 * (1 + x / std::sqrt(x * x + height * height)); };
     // So few steps along a slice miss some of the height.
-    const double tolerance = x < 0.3f ? 0.07 : 0.13;
+    const double tolerance = x < 0.3f ? 0.05 : 0.08;
     EXPECT_NEAR(at(corner, {x, 0, 0}) / at(plain, {x, 0, 0}), expected(1), tolerance) << x;
-    EXPECT_NEAR(at(corner, {0, x, 0}) / at(plain, {0, x, 0}), expected(2), tolerance) << x;
+    if (x < 0.5f) {   // or the floor is farther than is looked
+      EXPECT_NEAR(at(corner, {0, x, 0}) / at(plain, {0, x, 0}), expected(2), tolerance) << x;
+    }
   }
   // Each of the two occlusions by itself.
   settings.screenOcclusion = false;
