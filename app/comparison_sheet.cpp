@@ -6,6 +6,8 @@
 
 #include "app/text_painter.h"
 #include "renderer/image_difference.h"
+#include "renderer/image_io.h"
+#include "renderer/reference_error.h"
 
 namespace glint {
 namespace {
@@ -27,6 +29,16 @@ void place(Image8& sheet, const Image8& cell, int left, int top) {
   for (int y = 0; y < cell.height; ++y)
     for (int x = 0; x < cell.width; ++x)
       for (int k = 0; k < 3; ++k) sheet.at(left + x, top + y)[k] = cell.at(x, y)[cell.channels < 3 ? 0 : k];
+}
+
+// From the lowest to the highest error.
+Image8 errorRamp(const Pixels<float>& ramp) {
+  Image8 colors(ramp.width, ramp.height, 3);
+  for (size_t i = 0; i < ramp.data.size(); ++i) {
+    const glm::vec3 color = errorColor(2 * ramp.data[i] - 1);
+    for (int k = 0; k < 3; ++k) colors.data[3 * i + size_t(k)] = uint8_t(std::lround(255 * srgbFromLinear(color[k])));
+  }
+  return colors;
 }
 
 constexpr int kMostLines = 3;  // of a title
@@ -115,7 +127,8 @@ Image8 comparisonSheet(std::span<const SheetRow> rows, const SheetText& text) {
   const int titles = int(std::ceil(titlesWidth));
   const int left = margin + (titles ? titles + titleGap : 0);
   const int cells = columns * pitch + (columns - 1) * gap;
-  const std::string scale = text.heatWhite > 0 ? fmt::format("difference, up to {:.2g}", text.heatWhite) : "";
+  const std::string scale = text.heatWhite > 0    ? fmt::format("difference, up to {:.2g}", text.heatWhite)
+                            : text.errorScale > 0 ? fmt::format("error, up to \u00b1{} %", std::lround(100 * text.errorScale)) : "";
   const int width = std::max(left + cells + margin, 2 * margin + int(std::ceil(painter.width(scale, footer))));
 
   // Everything is measured before anything is drawn.
@@ -181,8 +194,8 @@ Image8 comparisonSheet(std::span<const SheetRow> rows, const SheetText& text) {
     const int from = width - margin - bar, base = beside ? end : bottom + scaleHeight;
     Pixels<float> ramp(bar, thick, 1);
     for (size_t i = 0; i < ramp.data.size(); ++i) ramp.data[i] = float(int(i) % bar) / float(bar - 1);
-    place(sheet, heatMap(ramp), from, base - thick);
-    painter.draw(sheet, float(from - px(6)), float(base), "0", footer, TextAlign::Right);
+    place(sheet, text.heatWhite > 0 ? heatMap(ramp) : errorRamp(ramp), from, base - thick);
+    painter.draw(sheet, float(from - px(6)), float(base), text.heatWhite > 0 ? "0" : "\u2212", footer, TextAlign::Right);
     painter.draw(sheet, float(width - margin), float(base - thick - lead / 2 - 1), scale, footer, TextAlign::Right);
   }
   foot.draw(painter, sheet, float(margin), end - height(foot), TextAlign::Left);

@@ -23,6 +23,7 @@ struct SheetText {
   std::vector<std::string> columns;
   std::string footer;                   // how it was lit, at the bottom
   float heatWhite = 0;                  // above 0: a scale for the heat maps, up to this value
+  float errorScale = 0;                 // above 0: a scale for the error view (RenderSettings)
 };
 
 // Lays them out in Inter on the ground that the cells stand on: the colour of their corners, so that a plain

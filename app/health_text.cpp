@@ -53,6 +53,27 @@ std::string furnaceText(const Renderer::FurnaceShare& share) {
   return fmt::format("mean\u00a0{:.3f}, worst\u00a0{}{:.{}f}\u00a0%", share.mean, size < 0.05 ? "" : percent < 0 ? "\u2212" : "+", size, size < 10 ? 1 : 0);
 }
 
+namespace {
+
+// "3.2", "0.1", "41": smaller ones are noise.
+std::string percentText(double share) {
+  const double percent = 100 * std::abs(share);
+  return fmt::format("{:.{}f}", percent, percent < 9.95 ? 1 : 0);
+}
+
+}  // namespace
+
+std::string errorText(const ReferenceError& error) {
+  if (error.pixels == 0) return "nothing to see";
+  // The noise is told where it matters.
+  const std::string noise = error.noise > 0.25 * error.mean ? fmt::format("\u00a0(noise\u00a0{}\u00a0%)", percentText(error.noise)) : "";
+  return fmt::format("{}\u00a0%\u00a0off{}, light\u00a0{}{}\u00a0%", percentText(error.mean), noise, error.light < 0 ? "\u2212" : "+", percentText(error.light));
+}
+
+std::string errorScaleText(float scale) {
+  return fmt::format("blue \u2212{0}\u00a0% to orange +{0}\u00a0%", std::lround(100 * scale));
+}
+
 std::string finding(const LawResult& law) { return law.reason.empty() ? measured(law) : law.reason; }
 
 std::string oneLine(const ModelHealth& card) {

@@ -31,6 +31,11 @@ std::string claimsText(const ShadingModel&);
 // Of a cell in the white furnace: "mean 0.842, worst -39 %".
 std::string furnaceText(const Renderer::FurnaceShare&);
 
+// Of a cell in the error view: "3.2 % off (noise 1.0 %), light -1.1 %".
+std::string errorText(const ReferenceError&);
+// "blue -25 % to orange +25 %"
+std::string errorScaleText(float scale);
+
 nlohmann::ordered_json healthJson(const ModelHealth&);
 
 }  // namespace glint

@@ -154,6 +154,7 @@ std::vector<Option> sceneOptionTable() {
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
       {"--compensate", "", "give back what bounces among facets more than once (Kulla and Conty 2017); off unless the model says otherwise"},
       {"--reference", "SPP", fmt::format("ground truth instead of approximations: Monte Carlo with this many samples a pixel, 1..{}; without shadows", kMostReferenceSamples)},
+      {"--error-scale", "PERCENT", "of --view error, which compares with the reference (256 samples): the relative error of the strongest colours (25)"},
   };
 }
 
@@ -344,7 +345,14 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);
   options.render.compensate = given("compensate");
-  if (given("reference")) keep(problems, parseWhole(arguments.get("reference"), 1, kMostReferenceSamples, "--reference"), options.render.reference);
+  const bool error = options.render.view == kErrorView;
+  if (error) options.render.reference = 256;
+  if (given("reference")) keep(problems, parseWhole(arguments.get("reference"), error ? 2 : 1, kMostReferenceSamples, "--reference"), options.render.reference);
+  if (given("error-scale")) {
+    float percent = 0;
+    if (keep(problems, parseNumber(arguments.get("error-scale"), 0.01f, 1000, "--error-scale"), percent)) options.render.errorScale = percent / 100;
+    if (!error) problems.push_back(glint::error("--error-scale", "is for the error view alone", "add --view error"));
+  }
   if (!problems.empty()) return problems;
   return options;
 }

@@ -38,8 +38,7 @@ void FrameTargets::resize(int width, int height, OptionalAttachments optional) {
     emissiveTexture_ = {};
     parametersTexture_ = {};
     tangentTexture_ = {};
-    accumulation_ = {};
-    accumulationTexture_ = {};
+    accumulations_ = {};
     ++sizes_;
   }
   width_ = width;
@@ -107,13 +106,14 @@ const FrameTargets::Visibility& FrameTargets::visibility(int layers) {
   return v;
 }
 
-GLuint FrameTargets::accumulation() {
-  if (!accumulation_) {
-    accumulationTexture_ = nearestTexture(GL_RGBA32F, width_, height_);
-    const GLuint color = accumulationTexture_.id();
-    accumulation_ = gl::createFramebuffer(std::span(&color, 1), depth_.id());
+GLuint FrameTargets::accumulation(size_t which) {
+  Accumulation& wanted = accumulations_[which];
+  if (!wanted.framebuffer) {
+    wanted.texture = nearestTexture(GL_RGBA32F, width_, height_);
+    const GLuint color = wanted.texture.id();
+    wanted.framebuffer = gl::createFramebuffer(std::span(&color, 1), depth_.id());
   }
-  return accumulation_.id();
+  return wanted.framebuffer.id();
 }
 
 }  // namespace glint

@@ -43,9 +43,11 @@ class FrameTargets {
   };
   const Visibility& visibility(int layers);
 
-  // RGBA32F, for averages and scene-referred pictures; made when first asked for.
-  GLuint accumulation();
-  GLuint accumulationTexture() const { return accumulationTexture_.id(); }
+  // RGBA32F, for averages and scene-referred pictures; made when first asked for. There are three, as an error has two
+  // averages of its reference.
+  static constexpr size_t kAccumulations = 3;
+  GLuint accumulation(size_t which = 0);
+  GLuint accumulationTexture(size_t which = 0) const { return accumulations_[which].texture.id(); }
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -53,8 +55,13 @@ class FrameTargets {
  private:
   int width_ = 0, height_ = 0;
   OptionalAttachments optional_;
-  gl::Texture baseColor_, normal_, material_, emissiveTexture_, parametersTexture_, tangentTexture_, depth_, accumulationTexture_;
-  gl::Framebuffer gbuffer_, accumulation_;
+  gl::Texture baseColor_, normal_, material_, emissiveTexture_, parametersTexture_, tangentTexture_, depth_;
+  gl::Framebuffer gbuffer_;
+  struct Accumulation {
+    gl::Texture texture;
+    gl::Framebuffer framebuffer;
+  };
+  std::array<Accumulation, kAccumulations> accumulations_;
   std::array<Picture, 2> pictures_;
   Visibility visibility_;
   unsigned visibilitySizes_ = 0;   // sizes_ when it was made

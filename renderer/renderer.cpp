@@ -35,6 +35,9 @@ glm::vec2 jitterOf(int sample) {
   return {halton(sample, 2) - 0.5f, halton(sample, 3) - 0.5f};
 }
 
+// Radiance behind the surfaces of an error view: so far below any error that a pixel with a share of it is told.
+constexpr float kNoSurface = -1e6f;
+
 }  // namespace
 
 struct Renderer::State {
@@ -156,7 +159,11 @@ struct Renderer::State {
   }
 
   // -- Frames ------------------------------------------------------------------------------------------------------
-  void drawSample(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, GLuint framebuffer, Output output) {
+  // Samples of a reference for each pixel.
+  struct ReferenceSamples {
+    int first, count;
+  };
+  void drawSample(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, GLuint framebuffer, Output output, ReferenceSamples samples = ReferenceSamples{0, 0}) {
     prepare(views, settings, jitterOf(sample));
     frame.framebuffer = framebuffer;
     frame.output = output;
@@ -164,10 +171,8 @@ struct Renderer::State {
     frame.targets.resize(size.x, size.y, frame.optional);
     gbufferPass.draw(frame);
     drawVisibility();
-    if (frame.isLit() && settings.reference > 0) {
-      const int first = firstReferenceSample(settings, sample);
-      referencePass.draw(frame, lists, first, firstReferenceSample(settings, sample + 1) - first);
-    } else if (frame.isLit()) lightingPass.draw(frame, lists);
+    if (frame.isLit() && settings.reference > 0) referencePass.draw(frame, lists, samples.first, samples.count);
+    else if (frame.isLit()) lightingPass.draw(frame, lists);
     else bufferViewPass.draw(frame, lists);
     // In an average every pixel must count its samples, so a black background is drawn there too.
     if (output != Output::Picture || !BackgroundPass::isBlack(frame)) backgroundPass.draw(frame);
@@ -227,8 +232,11 @@ struct Renderer::State {
   // The frames of a picture, and into what they are added up.
   static int framesOf(const RenderSettings& settings) {
     const int frames = std::max(1, settings.samples);
-    return settings.reference > 0 ? std::min(frames, settings.reference) : frames;
+    if (settings.reference == 0) return frames;
+    // Each has a sample, and in the error view one for each of its two references.
+    return std::min(frames, isError(settings) ? std::max(1, settings.reference / 2) : settings.reference);
   }
+  static bool isError(const RenderSettings& settings) { return settings.view == kErrorView; }
   static Output outputOf(const RenderSettings& settings) { return settings.reference > 0 ? Output::Radiance : Output::Display; }
   // Of a frame: each has its share, and of those beyond the picture's as many again.
   static int firstReferenceSample(const RenderSettings& settings, int frame) {
@@ -244,14 +252,33 @@ struct Renderer::State {
     drawSample(views, size, settings, 0, picture->framebuffer.id(), Output::Picture);
   }
 
+  // What the accumulations hold in the error view; else all is in the first of them.
+  enum : size_t { kFirstReference, kSecondReference, kApproximation };
+
   void accumulate(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings, int sample, Output output) {
-    frame.targets.resize(size.x, size.y, frame.optional);
-    const GLuint framebuffer = frame.targets.accumulation();
+    FrameTargets& targets = frame.targets;
+    targets.resize(size.x, size.y, frame.optional);
     if (sample == 0) {
-      clear(framebuffer, 0);
+      for (size_t i = 0; i < (isError(settings) ? FrameTargets::kAccumulations : 1); ++i) clear(targets.accumulation(i), 0);
       accumulated = 0;
     }
-    drawSample(views, size, settings, sample, framebuffer, output);
+    const int first = firstReferenceSample(settings, sample), end = firstReferenceSample(settings, sample + 1);
+    if (isError(settings)) {
+      GLINT_CHECK(end - first >= 2, "an error needs two samples of its reference in each frame, not {}", end - first);
+      const int middle = (first + end) / 2;
+      RenderSettings lit = settings;
+      lit.view = "lit";
+      lit.background = Background::Color;
+      lit.backgroundColor = glm::vec3(kNoSurface / std::exp2(settings.exposure));
+      lit.shadows = Shadows::Off;   // a reference has none
+      lit.screenOcclusion = false;
+      drawSample(views, size, lit, sample, targets.accumulation(kFirstReference), Output::Radiance, {first, middle - first});
+      drawSample(views, size, lit, sample, targets.accumulation(kSecondReference), Output::Radiance, {middle, end - middle});
+      lit.reference = 0;            // last, as its statistics are the picture's
+      drawSample(views, size, lit, sample, targets.accumulation(kApproximation), Output::Radiance);
+    } else {
+      drawSample(views, size, settings, sample, targets.accumulation(), output, {first, end - first});
+    }
     ++accumulated;
   }
 
@@ -260,9 +287,20 @@ struct Renderer::State {
   void resolve(const RenderSettings& settings) {
     picture = &frame.targets.nextPicture();
     clear(picture->framebuffer.id(), 1);
-    const gl::Program& program = programs.shipped(Rectangles::vertexShader(), {"shaders/passes/resolve.frag", settings.reference > 0 ? frame.displayDefines() : std::vector<std::string>{}, {}});
+    const bool error = isError(settings);
+    const gl::Program& program = programs.shipped(Rectangles::vertexShader(), {error ? "shaders/passes/error.frag" : "shaders/passes/resolve.frag", settings.reference > 0 && !error ? frame.displayDefines() : std::vector<std::string>{}, {}});
     program.set("scale", 1.0f / static_cast<float>(accumulated));
-    glBindTextureUnit(0, frame.targets.accumulationTexture());
+    glBindTextureUnit(0, frame.targets.accumulationTexture(error ? kApproximation : kFirstReference));
+    if (error) {
+      glBindTextureUnit(1, frame.targets.accumulationTexture(kFirstReference));
+      glBindTextureUnit(2, frame.targets.accumulationTexture(kSecondReference));
+      program.set("errorScale", settings.errorScale);
+      program.set("errorFloor", kErrorFloor);
+      program.set3("less", &kErrorColors.less.x);
+      program.set3("none", &kErrorColors.none.x);
+      program.set3("more", &kErrorColors.more.x);
+      program.set3("noSurface", &kErrorColors.noSurface.x);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer.id());
     glViewport(0, 0, frame.size().x, frame.size().y);
     glDisable(GL_STENCIL_TEST);
@@ -270,6 +308,15 @@ struct Renderer::State {
     glDisable(GL_BLEND);
     glEnable(GL_FRAMEBUFFER_SRGB);
     frame.rectangles.draw(program, frame.size(), Tile{0, 0, frame.size().x, frame.size().y, 0, 0, 0, 0});
+  }
+
+  // The average so far, RGBA, rows from the bottom.
+  std::vector<glm::vec4> readAverage(glm::ivec2 size, size_t which = 0) {
+    std::vector<glm::vec4> pixels(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.targets.accumulation(which));
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, pixels.data());
+    for (glm::vec4& pixel : pixels) pixel /= static_cast<float>(accumulated);
+    return pixels;
   }
 
   Frame frame;
@@ -294,6 +341,13 @@ struct Renderer::State {
 };
 
 namespace {
+
+double luminance(const glm::vec4& rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
+
+// Of the error view: whether surfaces cover the pixel in all of its samples.
+bool isSurface(const glm::vec4& approximation, const glm::vec4& reference) {
+  return approximation.a > 0 && std::min(luminance(approximation), luminance(reference)) > -1;
+}
 
 // How many pixels of the views, rows from the bottom, are so; between views nothing is drawn.
 template <class IsSo>
@@ -346,18 +400,40 @@ ImageF Renderer::linear(std::span<const View> views, glm::ivec2 size, const Rend
   State& s = *state_;
   const int samples = State::framesOf(settings);
   for (int i = 0; i < samples; ++i) s.accumulate(views, size, settings, i, Output::Radiance);
-  std::vector<float> pixels(static_cast<size_t>(size.x) * static_cast<size_t>(size.y) * 4);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, s.frame.targets.accumulation());
-  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, pixels.data());
+  std::vector<glm::vec4> pixels = s.readAverage(size);
+  if (State::isError(settings)) {
+    const auto second = s.readAverage(size, State::kSecondReference), approximation = s.readAverage(size, State::kApproximation);
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      const glm::vec4 truth = 0.5f * (pixels[i] + second[i]), about = approximation[i];
+      const glm::vec3 error = glm::vec3(about - truth) / glm::max(glm::vec3(truth), glm::vec3(kErrorFloor));
+      pixels[i] = glm::vec4(isSurface(about, truth) ? error : glm::vec3(0), std::min(truth.a, about.a));
+    }
+  }
   ImageF image(size.x, size.y, 3);
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const float* p = &pixels[(static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)) * 4];
-      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = p[c] / static_cast<float>(samples);
+      const glm::vec4& p = pixels[static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x)];
+      for (int c = 0; c < 3; ++c) image.at(x, y)[c] = p[c];
     }
-  s.statistics.invalidPixels =
-      countInViews(views, size, [&](size_t pixel) { return pixels[pixel * 4 + 3] < static_cast<float>(samples) - 0.5f; });
+  const float sound = 1 - 0.5f / static_cast<float>(samples);
+  s.statistics.invalidPixels = countInViews(views, size, [&](size_t pixel) { return pixels[pixel].a < sound; });
   return image;
+}
+
+std::vector<ReferenceError> Renderer::referenceErrors(std::span<const View> views, glm::ivec2 size) {
+  State& s = *state_;
+  const auto first = s.readAverage(size, State::kFirstReference), second = s.readAverage(size, State::kSecondReference),
+             approximation = s.readAverage(size, State::kApproximation);
+  std::vector<ReferenceError> errors;
+  for (const View& view : views) {
+    ReferenceErrorSum sum;
+    countInViews({&view, 1}, size, [&](size_t i) {
+      if (isSurface(approximation[i], first[i])) sum.add(luminance(approximation[i]), luminance(first[i]), luminance(second[i]));
+      return false;
+    });
+    errors.push_back(sum.error());
+  }
+  return errors;
 }
 
 std::vector<Renderer::FurnaceShare> Renderer::furnaceShares(std::span<const View> views, glm::ivec2 size, bool compensate) {

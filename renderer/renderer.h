@@ -9,6 +9,7 @@
 
 #include "renderer/gl/context.h"
 #include "renderer/image.h"
+#include "renderer/reference_error.h"
 #include "renderer/scene.h"
 
 namespace glint {
@@ -43,7 +44,7 @@ std::span<const ChoiceInfo> shadowChoices();
 std::span<const ChoiceInfo> groundChoices();
 enum class Background { Environment, Blur, None, Color };
 
-// A picture's view of the scene: the lit one, the white furnace, or one of the buffers.
+// A picture's view of the scene: the lit one, the white furnace, the error against the reference, or one of the buffers.
 struct ViewMode {
   const char* id;      // "lit", "furnace", "baseColor", "normal", "modelId", ...
   const char* title;
@@ -78,6 +79,8 @@ struct RenderSettings {
   // Monte Carlo samples of each pixel, over all of those frames together; 0: lights and environment are approximated. The
   // truth is an average of radiance, which is tone mapped as a whole.
   int reference = 0;
+  // The relative error that the error view, which needs a reference of at least 2, shows in its strongest colours.
+  float errorScale = 0.25f;
   // What an environment does to a model may be coarse where it would have to be made first: for a picture now. See
   // Renderer::refineTable().
   bool coarse = false;
@@ -106,6 +109,7 @@ class Renderer {
   // Draws and reads back. `picture` is display-referred sRGB with the settings' exposure and tone map; `linear`
   // is scene-referred radiance. Never holds NaN: a pixel that would is counted in statistics().
   Image8 picture(std::span<const View>, glm::ivec2 size, const RenderSettings&);
+  // In the error view `linear` holds the relative error of each channel, signed.
   ImageF linear(std::span<const View>, glm::ivec2 size, const RenderSettings&);
 
   // Of each view in the white furnace, over the pixels that its surfaces cover: the share of the light that comes back,
@@ -116,6 +120,9 @@ class Renderer {
     double extreme() const { return 1 - least > most - 1 ? least : most; }  // the farthest from 1
   };
   std::vector<FurnaceShare> furnaceShares(std::span<const View>, glm::ivec2 size, bool compensate);
+
+  // Of each of the views that were drawn last, as it is so far; that was in the error view.
+  std::vector<ReferenceError> referenceErrors(std::span<const View>, glm::ivec2 size);
 
   // Draws into a texture of this renderer and waits for the device, so that another context may show it. The
   // texture stays unchanged until the second next call.

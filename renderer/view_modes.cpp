@@ -7,6 +7,7 @@ std::span<const ViewMode> viewModes() {
   static constexpr ViewMode kModes[] = {
       {"lit", "Lit", "The picture: light, environment and emission"},
       {kFurnaceView, "White furnace", "Every surface as white metal under white light from all sides: what keeps its energy cannot be seen, what loses some is darker, what gains some is orange"},
+      {kErrorView, "Error", "How far the light is from the reference: blue where it is too dark, orange where it is too bright"},
       {"baseColor", "Base color", "Base colour"},
       {"normal", "Normal", "World-space normal: x, y, z as red, green, blue around a half"},
       {"metallic", "Metallic", "Metallic, black 0 to white 1"},
@@ -56,7 +57,7 @@ const ViewMode* findViewMode(const std::string& id) {
 }
 
 int bufferViewIndex(const std::string& id) {
-  constexpr int kOfLight = 2;
+  constexpr int kOfLight = 3;
   const ViewMode* mode = findViewMode(id);
   GLINT_CHECK(mode != nullptr && mode - viewModes().data() >= kOfLight, "{} shows no buffer", id);
   return static_cast<int>(mode - viewModes().data()) - kOfLight;

@@ -189,7 +189,8 @@ std::string footerOf(const Plan& plan) {
   if (plan.scene.environment == "none") text = "no environment";
   if (const size_t lights = plan.scene.lights.size()) text += fmt::format(", {} light{}", lights, lights == 1 ? "" : "s");
   if (plan.scene.render.view == kFurnaceView) return "white furnace: how much of the light comes back, in the mean and farthest from 1";
-  if (plan.scene.render.view != "lit") text += ", " + plan.scene.render.view;
+  if (plan.scene.render.view == kErrorView) text += fmt::format(", against {} samples a pixel: the mean error, and how much light is too much", plan.scene.render.reference);
+  else if (plan.scene.render.view != "lit") text += ", " + plan.scene.render.view;
   if (plan.scene.render.exposure != 0) text += fmt::format(", exposure {:g} EV", plan.scene.render.exposure);
   return text;
 }
@@ -205,6 +206,7 @@ struct Cells {
   std::vector<std::vector<Image8>> pictures, heats;           // [row][column]; an empty heat for the reference
   std::vector<std::vector<ReportNumbers>> numbers;            // as heats
   std::vector<std::vector<Renderer::FurnaceShare>> furnace;   // as pictures, in the white furnace
+  std::vector<std::vector<ReferenceError>> errors;            // as pictures, in the error view
   float heatWhite = 0;
 };
 
@@ -255,6 +257,7 @@ Sheet layOut(const Plan& plan, const Axes& axes, const Cells& cells) {
   Sheet sheet;
   sheet.text.footer = footerOf(plan);
   sheet.text.heatWhite = cells.heatWhite;
+  if (!cells.errors.empty()) sheet.text.errorScale = plan.scene.render.errorScale;
   const bool across = plan.transpose;
   const size_t rows = across ? axes.columns.size() : axes.rows.size(), columns = across ? axes.rows.size() : axes.columns.size();
   const auto row = [&](size_t r, size_t c) { return across ? c : r; };
@@ -275,6 +278,7 @@ Sheet layOut(const Plan& plan, const Axes& axes, const Cells& cells) {
     bool any = false;
     for (size_t c = 0; c < columns; ++c) {
       pictures.cells.push_back(cells.pictures[row(r, c)][column(r, c)]);
+      if (!cells.errors.empty()) pictures.captions.push_back(errorText(cells.errors[row(r, c)][column(r, c)]));
       if (!cells.furnace.empty()) pictures.captions.push_back(furnaceText(cells.furnace[row(r, c)][column(r, c)]));
       if (!plan.against) continue;
       const Image8& heat = cells.heats[row(r, c)][column(r, c)];
@@ -310,6 +314,11 @@ nlohmann::ordered_json documentOf(const Plan& plan, const Axes& axes, const Cell
       const Renderer::FurnaceShare& share = cells.furnace[row][column];
       document["furnace"].push_back({{"row", rowName(axes, row)}, {"column", axes.columns[column].title}, {"mean", share.mean},
                                      {"least", share.least}, {"most", share.most}});
+    }
+  for (size_t row = 0; row < cells.errors.size(); ++row)
+    for (size_t column = 0; column < cells.errors[row].size(); ++column) {
+      const ReferenceError& error = cells.errors[row][column];
+      document["errors"].push_back({{"row", rowName(axes, row)}, {"column", axes.columns[column].title}, {"mean", error.mean}, {"noise", error.noise}, {"light", error.light}});
     }
   if (plan.against) {
     document["against"] = plan.against->id;
@@ -383,6 +392,7 @@ int run(const Arguments& arguments) {
     if (hasErrors(renderer.problems())) return badInput(renderer.problems());
     append(drawn, renderer.problems());
     invalidPixels += renderer.statistics().invalidPixels;
+    if (plan->scene.render.view == kErrorView) cells.errors.push_back(renderer.referenceErrors(views, strip.size()));
     if (plan->scene.render.view == kFurnaceView) cells.furnace.push_back(renderer.furnaceShares(views, strip.size(), plan->scene.render.compensate));
     log::progress("comparing", double(row + 1) / comparison->rows());
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/health_text.h"
 #include "app/picture_file.h"
 #include "app/scene_loader.h"
 #include "app/scene_options.h"
@@ -72,6 +73,8 @@ int run(const Arguments& arguments) {
   ImageF linear;
   if (*kind == PictureKind::Display) picture = renderer.picture({&view, 1}, options->size, options->render);
   else linear = renderer.linear({&view, 1}, options->size, options->render);
+  ReferenceError off;
+  if (options->render.view == kErrorView) off = renderer.referenceErrors({&view, 1}, options->size).front();
   // A plugin that does not compile leaves nothing to show.
   if (hasErrors(renderer.problems())) return badInput(renderer.problems());
   log::report(renderer.problems());
@@ -91,10 +94,12 @@ int run(const Arguments& arguments) {
     document["lights"] = statistics.lights;
     document["invalidPixels"] = statistics.invalidPixels;
     document["milliseconds"] = ms;
+    if (options->render.view == kErrorView) document["error"] = {{"mean", off.mean}, {"noise", off.noise}, {"light", off.light}};
     document["notes"] = notes;
     fmt::print("{}\n", document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (!arguments.quiet) {
     fmt::print("{}\n", output.string());
+    if (options->render.view == kErrorView) fmt::print("{}, of {} samples a pixel; {}\n", errorText(off), options->render.reference, errorScaleText(options->render.errorScale));
   }
   return kDone;
 }

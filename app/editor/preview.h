@@ -53,6 +53,9 @@ struct Preview {
   Tonemap tonemap = Tonemap::None;
   Background background = Background::Color;
   glm::vec3 backgroundColor{0.02f};     // linear
+  // Instead of approximations, as it converges; the error view compares with it.
+  bool reference = false;
+  float errorScale = 0.25f;             // as RenderSettings
   bool compensate = false;              // as RenderSettings
   AreaLights areaLights = AreaLights::Cosines;
   // Of a mesh; a comparison of spheres has none of them.

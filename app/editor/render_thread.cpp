@@ -14,6 +14,8 @@ double since(Clock::time_point start) {
 
 // Pictures averaged when nothing changes any more.
 constexpr int kSamples = 16, kSamplesInSoftware = 8;
+// Pictures of a reference, and the samples of a pixel in each: where the processor draws, one takes some tenths of a second.
+constexpr int kReferenceFrames = 256, kReferenceSamples = 16, kReferenceSamplesInSoftware = 2;
 // Over this, a picture is drawn at half the size while something is being dragged.
 constexpr double kSlowMilliseconds = 45;
 
@@ -183,6 +185,11 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   const Preview& preview = request.preview;
   settings_ = {.view = preview.view, .exposure = preview.exposure, .tonemap = preview.tonemap,
                .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .areaLights = preview.areaLights, .coarse = true};
+  if (preview.view == kErrorView || (preview.reference && (preview.view == "lit" || preview.view == kFurnaceView))) {
+    settings_.samples = kReferenceFrames;
+    settings_.reference = kReferenceFrames * (context_->info().software ? kReferenceSamplesInSoftware : kReferenceSamples);
+    settings_.errorScale = preview.errorScale;
+  }
   if (!scene.comparison) {
     settings_.shadows = preview.shadows;
     settings_.materialOcclusion = preview.materialOcclusion;
@@ -223,12 +230,21 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.stats = scene.stats;
   result.statistics = renderer.statistics();
   result.samples = 1;
+  measureReference(renderer, result);
   result.coarse = result.statistics.coarseTables > 0;
   result.milliseconds = since(start);
   if (divisor == 1) smoothedCost_ = smoothedCost_ == 0 ? 0 : 0.5 * (smoothedCost_ + result.milliseconds);
   if (smoothedCost_ == 0 && divisor == 1) smoothedCost_ = 1;  // the first picture pays for compiling: not its cost
   last_ = result;
   publish(std::move(result));
+}
+
+// What is told of a picture that has a reference.
+void RenderThread::measureReference(Renderer& renderer, FrameResult& result) const {
+  if (settings_.reference == 0) return;
+  result.reference = settings_.reference / settings_.samples * result.samples;
+  result.referenceInAll = settings_.reference;
+  if (settings_.view == kErrorView && !current_.dragging) result.errors = renderer.referenceErrors(views_, result.size);
 }
 
 void RenderThread::checkModel(Renderer& renderer) {
@@ -265,19 +281,21 @@ bool RenderThread::finish(Renderer& renderer) {
   const auto start = Clock::now();
   last_.texture = keep(renderer.drawToTexture(views_, last_.size, settings_), last_.size);
   last_.coarse = false;
+  measureReference(renderer, last_);
   last_.milliseconds = since(start);
   publish(last_);
   return true;
 }
 
 bool RenderThread::refine(Renderer& renderer, PreviewScene&) {
-  const int most = context_->info().software ? kSamplesInSoftware : kSamples;
+  const int most = settings_.reference > 0 ? settings_.samples : context_->info().software ? kSamplesInSoftware : kSamples;
   // What is dragged, or was drawn small, waits for the whole picture.
   if (current_.dragging || last_.samples >= most) return false;
   if (last_.coarse) return finish(renderer);
   const int sample = last_.samples;
   last_.texture = keep(renderer.refineTexture(views_, last_.size, settings_, sample), last_.size);
   ++last_.samples;
+  measureReference(renderer, last_);
   publish(last_);
   return last_.samples < most;
 }

@@ -28,6 +28,9 @@ struct FrameResult {
   std::vector<RowInfo> rows;        // PreviewScene::rows
   int ownRow = -1;                  // PreviewScene::ownRow
   std::vector<Renderer::FurnaceShare> furnace;   // of each view, when that is what is shown
+  std::vector<ReferenceError> errors;            // likewise
+  int reference = 0;                // samples of a reference in the picture so far, and in the end
+  int referenceInAll = 0;
   std::vector<PreviewScene::State> states;
   glm::vec3 center{0};
   float radius = 1;
@@ -91,6 +94,7 @@ class RenderThread {
   void run();
   void draw(Renderer&, PreviewScene&, const FrameRequest&);
   bool refine(Renderer&, PreviewScene&);
+  void measureReference(Renderer&, FrameResult&) const;
   bool finish(Renderer&);                     // what was coarse
   void checkModel(Renderer&);                 // the next of those not looked at
   void computePlot(PlotComputer&, PlotRequest);

@@ -188,6 +188,18 @@ class ScenePanel final : public Panel {
       p.tonemap = kTonemaps[std::clamp(index, 0, 3)];
       return changed;
     });
+    property("Reference", "Monte Carlo instead of approximations, as it converges: the truth, without shadows. The view Error shows the difference", editor, [&](Preview& p, bool reset) {
+      if (reset) p.reference = false;
+      return ui::checkbox("Reference", p.reference);
+    });
+    if (editor.document().preview().view == kErrorView)
+      property("Error scale", "The relative error that the strongest colours stand for", editor, [&](Preview& p, bool reset) {
+        if (reset) p.errorScale = Preview{}.errorScale;
+        float percent = 100 * p.errorScale;
+        const bool changed = ui::slider("Error scale", percent, 1, 100, "\u00b1%.0f %%");
+        if (changed) p.errorScale = percent / 100;
+        return changed;
+      });
     property("All bounces", "Gives back the light that bounces among a rough surface\u2019s facets more than once, for every model; a plugin can ask for it itself",
              editor, [&](Preview& p, bool reset) {
                if (reset) p.compensate = false;

@@ -12,6 +12,7 @@
 #include "app/panels/row_labels.h"
 #include "materials/attributes.h"
 #include "renderer/environment.h"
+#include "renderer/image_io.h"
 #include "renderer/mesh.h"
 
 namespace glint {
@@ -26,7 +27,8 @@ class ViewportPanel final : public Panel {
   void toolbar(Editor&);
   void picture(Editor&, ImVec2 low, ImVec2 size);
   static void titles(const FrameResult&, ImVec2 low);
-  static void furnace(const FrameResult&, ImVec2 low);
+  static void numbers(const FrameResult&, ImVec2 low);
+  static void reference(Editor&, ImVec2 low, ImVec2 high);
   static void states(const FrameResult&, ImVec2 low);
   void control(Editor&, ImVec2 low, ImVec2 size, bool hovered);
   static void magnify(const FrameResult&, Orbit&, ImVec2 mouse, float factor);
@@ -177,13 +179,14 @@ void ViewportPanel::picture(Editor& editor, ImVec2 low, ImVec2 size) {
     list.PushClipRect(low, high, true);
     list.AddImage(imguiTexture(frame.texture), low, end, {0, 1}, {1, 0});
     states(frame, low);
-    furnace(frame, low);
+    numbers(frame, low);
     if (frame.comparison) {
       titles(frame, low);
       rows_.draw(editor, frame, low);
     }
     list.PopClipRect();
   }
+  if (frame.referenceInAll > 0) reference(editor, low, high);
   const auto progress = editor.render().progress();
   if (!frame.texture || (progress && editor.render().working() && progress->fraction > 0)) {
     const std::string what = progress ? progress->what : "Starting the renderer";
@@ -231,19 +234,54 @@ void ViewportPanel::states(const FrameResult& frame, ImVec2 low) {
   }
 }
 
-// In the white furnace, how much of the light each cell sends back.
-void ViewportPanel::furnace(const FrameResult& frame, ImVec2 low) {
+// How far a reference has come, and in the error view what its colours stand for.
+void ViewportPanel::reference(Editor& editor, ImVec2 low, ImVec2 high) {
+  const FrameResult& frame = editor.shown();
+  const Preview& preview = editor.document().preview();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImFont* small = ui::fonts().small();
+  std::string text = "Reference: " + std::to_string(frame.reference) + " of " + std::to_string(frame.referenceInAll) + " samples";
+  std::string less, more;
+  if (preview.view == kErrorView) {
+    text = std::to_string(frame.reference) + " of " + std::to_string(frame.referenceInAll) + " samples";
+    less = "\u2212" + std::to_string(int(std::lround(100 * preview.errorScale))) + " %";
+    more = "+" + less.substr(3);
+  }
+  const float pad = theme::px(8), bar = less.empty() ? 0 : theme::px(90), line = small->FontSize;
+  const auto width = [&](const std::string& t) { return t.empty() ? 0 : small->CalcTextSizeA(line, FLT_MAX, 0, t.c_str()).x + theme::px(6); };
+  const float whole = width(less) + bar + width(more) + width(text) + (less.empty() ? 0 : theme::px(10));
+  ImVec2 at = {high.x - theme::px(12) - pad - whole, high.y - theme::px(12) - theme::px(4) - line};
+  if (at.x < low.x + pad) return;
+  list.AddRectFilled({at.x - pad, at.y - theme::px(4)}, {at.x + whole + pad, at.y + line + theme::px(4)}, theme::grey(20, 215), theme::px(4));
+  ui::markRect("reference", at, {at.x + whole, at.y + line});
+  if (!less.empty()) {
+    list.AddText(small, line, at, theme::kText, less.c_str());
+    at.x += width(less);
+    const auto color = [](glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({srgbFromLinear(c.x), srgbFromLinear(c.y), srgbFromLinear(c.z), 1}); };
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps; ++i)
+      list.AddRectFilled({at.x + bar * float(i) / kSteps, at.y + theme::px(2)}, {at.x + bar * float(i + 1) / kSteps, at.y + line - theme::px(2)},
+                         color(errorColor(2 * (float(i) + 0.5f) / kSteps - 1)));
+    at.x += bar + theme::px(6);
+    list.AddText(small, line, at, theme::kText, more.c_str());
+    at.x += width(more) + theme::px(10);
+  }
+  list.AddText(small, line, at, theme::kTextDim, text.c_str());
+}
+
+// In the white furnace how much of the light each cell sends back, in the error view how far it is off.
+void ViewportPanel::numbers(const FrameResult& frame, ImVec2 low) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImFont* small = ui::fonts().small();
   const CellGrid& grid = frame.layout.grid;
-  for (size_t i = 0; i < frame.furnace.size(); ++i) {
+  for (size_t i = 0; i < std::max(frame.furnace.size(), frame.errors.size()); ++i) {
     ImVec2 from = low, to = {low.x + float(frame.layoutSize.x), low.y + float(frame.layoutSize.y)};
     if (frame.comparison && grid.columns > 0) {
       const glm::ivec4 cell = grid.rectangle(int(i) / grid.columns, int(i) % grid.columns);
       from = {low.x + float(cell.x), low.y + float(frame.layoutSize.y - cell.y - cell.w)};
       to = {from.x + float(cell.z), from.y + float(cell.w)};
     }
-    const std::string text = furnaceText(frame.furnace[i]);
+    const std::string text = i < frame.errors.size() ? errorText(frame.errors[i]) : furnaceText(frame.furnace[i]);
     const float margin = theme::px(6), inset = theme::px(5);
     const ImVec2 size = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0, text.c_str());
     const float width = std::min(size.x, to.x - from.x - 2 * (margin + inset));
@@ -251,7 +289,7 @@ void ViewportPanel::furnace(const FrameResult& frame, ImVec2 low) {
     const ImVec2 at = {std::round((from.x + to.x - width) / 2), to.y - margin - inset - size.y};
     list.AddRectFilled({at.x - inset, at.y - theme::px(3)}, {at.x + width + inset, at.y + size.y + theme::px(3)}, theme::grey(20, 215), theme::px(4));
     ui::elidedText(at, width + 1, theme::kText, text, small);
-    ui::markRect("furnace:" + std::to_string(i), at, {at.x + width, at.y + size.y});
+    ui::markRect((i < frame.errors.size() ? "error:" : "furnace:") + std::to_string(i), at, {at.x + width, at.y + size.y});
   }
 }
 

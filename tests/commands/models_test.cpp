@@ -285,6 +285,23 @@ TEST(CompareCommand, TheWhiteFurnaceHasNumbers) {
   EXPECT_THAT(html, testing::AllOf(HasSubstr("<figcaption>mean\u00a00."), HasSubstr("class=\"badge amber\""), HasSubstr("class=\"badge green\""), HasSubstr("gains energy")));
 }
 
+TEST(CompareCommand, TheErrorViewHasNumbers) {
+  const auto ran = glint({"compare", "--models", "ggx", "--sweep", "roughness=0.2..0.6:2", "--set", "metallic=1", "--env", "none", "--light", "sphere:pos=1/1/2,size=0.5,cd=10",
+                          "--area-lights", "plain", "--view", "error", "--reference", "64", "--cell", "48", "-o", "error.png", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto cells = ran.json()["errors"];
+  ASSERT_EQ(cells.size(), 2u);
+  for (const auto& cell : cells) {
+    EXPECT_GT(cell["light"], 0.1);
+    EXPECT_GE(cell["mean"], cell["light"]);
+    EXPECT_LT(cell["noise"], cell["mean"]);
+  }
+  const auto one = glint({"render", "--view", "error", "--reference", "8", "--size", "32x32", "--samples", "2", "-o", "one.png"});
+  EXPECT_THAT(one.out, testing::AllOf(HasSubstr("%\u00a0off"), HasSubstr("of 8 samples a pixel; blue \u221225")));
+  EXPECT_BAD_INPUT(glint({"render", "--view", "error", "--reference", "1", "-o", "x.png"}), "--reference", "2 to 65536");
+  EXPECT_BAD_INPUT(glint({"render", "--error-scale", "5", "-o", "x.png"}), "--error-scale", "error view alone");
+}
+
 TEST(NewModelCommand, WritesOneThatWorks) {
   std::filesystem::create_directory(scratch() / "mine");
   const auto made = glint({"new-model", "two-lobe", "--models-dir", "mine", "--quiet"});

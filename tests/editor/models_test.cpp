@@ -167,5 +167,28 @@ TEST_F(EditorTest, TheWhiteFurnaceShowsItsNumbers) {
   begin();
 }
 
+TEST_F(EditorTest, TheErrorViewConvergesAndHasItsNumbers) {
+  beginComparison("burley");
+  Preview preview = document().preview();
+  preview.view = kErrorView;
+  preview.errorScale = 0.1f;
+  document().setPreview("View", preview);
+  ASSERT_TRUE(until([&] { return ui().editor().shown().reference >= 8 && ui().editor().shown().errors.size() == 2; }));
+  const FrameResult early = ui().editor().shown();
+  for (const ReferenceError& error : early.errors) EXPECT_GT(error.pixels, 1000);
+  EXPECT_TRUE(ui().has("Viewport/error:1"));
+  EXPECT_TRUE(ui().has("Viewport/reference"));
+  EXPECT_TRUE(writeImage8(folder() / "error.png", ui().screenshot()).empty());
+  // Its switch alone shows the truth.
+  preview.view = "lit";
+  preview.reference = true;
+  document().setPreview("Reference", preview);
+  ASSERT_TRUE(until([&] { return ui().editor().shown().errors.empty() && ui().editor().shown().reference >= 4; }));
+  EXPECT_GT(ui().editor().shown().referenceInAll, 100);
+  begin();
+  ASSERT_TRUE(ui().settle());
+  EXPECT_EQ(ui().editor().shown().referenceInAll, 0);
+}
+
 }  // namespace
 }  // namespace glint

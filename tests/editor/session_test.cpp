@@ -56,11 +56,7 @@ TEST_F(EditorTest, AModelDroppedInDrawsAndABrokenOneIsAProblem) {
   std::ofstream(models / "flat-test.glsl") << "/*glint\n{ \"id\": \"flat-test\", \"title\": \"Flat test\", \"doc\": \"Constant.\", "
                                               "\"color\": [1, 0, 0], \"parameters\": [], \"claims\": {\"reciprocal\": true} }\n*/\n"
                                               "vec3 specular(Shading s, Parameters p) { return vec3(0.1); }\n";
-  for (int i = 0; i < 40 && !ui().editor().models().find("flat-test"); ++i) {
-    ui().frames();
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  ASSERT_TRUE(ui().editor().models().find("flat-test"));
+  ASSERT_TRUE(until([&] { return ui().editor().models().find("flat-test") != nullptr; }));
   document().edit("Model", [](GraphEditor& graph) { return graph.setModel("flat-test"); });
   ASSERT_TRUE(ui().settle());
   EXPECT_TRUE(ui().editor().problems().empty()) << ui().editor().problems()[0].text();
@@ -68,10 +64,7 @@ TEST_F(EditorTest, AModelDroppedInDrawsAndABrokenOneIsAProblem) {
   // One that is not drawn is looked at all the same.
   std::ofstream(models / "broken-test.glsl") << "/*glint { \"id\": \"broken-test\" } */\n\n"
                                                 "vec3 specular(Shading s, Parameters p) { return s.nope; }\n";
-  for (int i = 0; i < 100 && ui().editor().problems().empty(); ++i) {
-    ui().frames();
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+  EXPECT_TRUE(until([&] { return !ui().editor().problems().empty(); }));
   ASSERT_EQ(ui().editor().problems().size(), 1u);
   EXPECT_EQ(ui().editor().problems()[0].place, (models / "broken-test.glsl").string() + ":3");
   fs::remove(models / "flat-test.glsl");

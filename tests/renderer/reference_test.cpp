@@ -79,6 +79,64 @@ TEST_F(ReferenceTest, LightsWithoutASurfaceAreExact) {
   }
 }
 
+// The error view, against the difference of two pictures drawn one by one.
+TEST_F(ReferenceTest, TheErrorViewComparesTheTwo) {
+  const test::Look metal{.baseColor = glm::vec3(1, 0.8f, 0.6f), .metallic = 1, .roughness = 0.4f};
+  constexpr int kSide = 32;
+  Camera camera;
+  camera.orthoHeight = 2.2f;
+  RenderSettings settings;
+  settings.background = Background::None;
+  settings.areaLights = AreaLights::Plain;
+  const auto luminance = [](const float* p) { return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]; };
+  const auto drawn = [&](const Scene& s, const std::string& about, int reference) {
+    const View view{&s, camera, {0, 0, kSide, kSide}};
+    settings.view = about;
+    settings.reference = reference;
+    return renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
+  };
+  const auto errorOf = [&](const Scene& s, int reference) {
+    const View view{&s, camera, {0, 0, kSide, kSide}};
+    settings.view = kErrorView;
+    settings.reference = reference;
+    const Image8 picture = renderer->picture(std::span(&view, 1), {kSide, kSide}, settings);
+    EXPECT_EQ(renderer->statistics().invalidPixels, 0);
+    return std::pair(renderer->referenceErrors(std::span(&view, 1), {kSide, kSide}).front(), picture);
+  };
+
+  // One that is not made weaker is far too bright.
+  const Scene plain = scene(models->find("ggx"), metal, {"sphere:pos=1/1/2,size=0.7,cd=10"});
+  const ImageF about = drawn(plain, "lit", 0), truth = drawn(plain, "lit", 4096);
+  double light = 0, absolute = 0, difference = 0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const double a = luminance(&about.data[size_t(i) * 3]), r = luminance(&truth.data[size_t(i) * 3]);
+    light += r;
+    absolute += std::abs(a - r);
+    difference += a - r;
+  }
+  const auto [error, picture] = errorOf(plain, 4096);
+  EXPECT_NEAR(error.mean, absolute / light, 0.01 * absolute / light);
+  EXPECT_NEAR(error.light, difference / light, 0.01 * absolute / light);
+  EXPECT_GT(error.light, 0.3);
+  EXPECT_LT(error.noise, 0.03);
+  EXPECT_NEAR(error.pixels, kSide * kSide * kPi / (2.2 * 2.2), 12) << "all of the sphere and nothing else";
+  // Where it faces the light the picture is orange, and the values are the errors.
+  const int x = 22, y = 9;
+  EXPECT_GT(picture.at(x, y)[0], picture.at(x, y)[2] + 100);
+  const ImageF values = drawn(plain, kErrorView, 4096);
+  EXPECT_NEAR(values.at(x, y)[1], about.at(x, y)[1] / truth.at(x, y)[1] - 1, 0.05);
+  EXPECT_EQ(values.at(0, 0)[1], 0) << "no surface";
+
+  // Without anything that is approximated there is no error; nor anything orange or blue.
+  const auto [none, grey] = errorOf(scene(models->find("ggx"), metal, {"point:pos=1/1/2,cd=10", "directional:dir=1/0/1,lux=1"}), 2);
+  EXPECT_LT(none.mean, 1e-5);
+  EXPECT_LT(none.noise, 1e-5);
+  for (size_t i = 0; i < grey.data.size(); i += 3) EXPECT_LE(std::abs(int(grey.data[i]) - int(grey.data[i + 2])), 1);
+  // The same with several frames of one picture.
+  settings.samples = 4;
+  EXPECT_NEAR(errorOf(plain, 4096).first.light, error.light, 0.02);
+}
+
 // Under white light from all sides a white metal sends back its directional albedo.
 TEST_F(ReferenceTest, FurnaceIsTheDirectionalAlbedo) {
   for (const char* id : {"ggx", "blinn-phong", "ggx-multiscatter"})
