@@ -95,7 +95,7 @@ Image8 comparisonSheet(std::span<const SheetRow> rows, const SheetText& text) {
   GLINT_CHECK(!rows.empty() && !rows[0].cells.empty());
   const int cell = rows[0].cells[0].width, columns = int(rows[0].cells.size());
   const uint8_t* corner = rows[0].cells[0].at(0, 0);
-  const Palette palette = paletteOn({corner[0], corner[1], corner[2]});
+  const Palette palette = paletteOn(text.ground.value_or(Color8{corner[0], corner[1], corner[2]}));
 
   // Everything in proportion to the cell, within what can be read and what does not shout.
   const float unit = std::clamp(float(cell) / 256, 0.5f, 2.0f);

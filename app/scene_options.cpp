@@ -154,6 +154,7 @@ std::vector<Option> sceneOptionTable() {
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
       {"--compensate", "", "give back what bounces among facets more than once (Kulla and Conty 2017); off unless the model says otherwise"},
       {"--reference", "SPP", fmt::format("ground truth instead of approximations: Monte Carlo with this many samples a pixel, 1..{}; without shadows", kMostReferenceSamples)},
+      {"--split-sum", "", "with --reference or --view error: the environment's reflections by the split sum alone, at the true direction of view; otherwise n = v = r is assumed too"},
       {"--error-scale", "PERCENT", "of --view error, which compares with the reference (256 samples): the relative error of the strongest colours (25)"},
   };
 }
@@ -348,6 +349,8 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   const bool error = options.render.view == kErrorView;
   if (error) options.render.reference = 256;
   if (given("reference")) keep(problems, parseWhole(arguments.get("reference"), error ? 2 : 1, kMostReferenceSamples, "--reference"), options.render.reference);
+  options.render.splitSum = given("split-sum");
+  if (options.render.splitSum && options.render.reference == 0) problems.push_back(glint::error("--split-sum", "is a part of the reference", "add --reference SPP"));
   if (given("error-scale")) {
     float percent = 0;
     if (keep(problems, parseNumber(arguments.get("error-scale"), 0.01f, 1000, "--error-scale"), percent)) options.render.errorScale = percent / 100;

@@ -10,6 +10,8 @@ glm::vec3 errorColor(float share) {
   return glm::mix(kErrorColors.none, t < 0 ? kErrorColors.less : kErrorColors.more, std::abs(t));
 }
 
+double luminanceOf(const float* rgb) { return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]); }
+
 void ReferenceErrorSum::add(double approximation, double first, double second) {
   const double reference = (first + second) / 2;
   absolute_ += std::abs(approximation - reference);

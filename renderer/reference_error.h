@@ -17,6 +17,9 @@ inline constexpr float kErrorFloor = 1e-3f;
 // The colour of a relative error that is `share` of the scale.
 glm::vec3 errorColor(float share);
 
+// Of linear Rec.709.
+double luminanceOf(const float* rgb);
+
 // Over the pixels that surfaces cover as a whole, each a part of the reference's mean luminance there.
 struct ReferenceError {
   double mean = 0;     // the mean of the differences, all counted as positive

@@ -272,10 +272,13 @@ struct Renderer::State {
       lit.backgroundColor = glm::vec3(kNoSurface / std::exp2(settings.exposure));
       lit.shadows = Shadows::Off;   // a reference has none
       lit.screenOcclusion = false;
+      lit.splitSum = false;
       drawSample(views, size, lit, sample, targets.accumulation(kFirstReference), Output::Radiance, {first, middle - first});
       drawSample(views, size, lit, sample, targets.accumulation(kSecondReference), Output::Radiance, {middle, end - middle});
-      lit.reference = 0;            // last, as its statistics are the picture's
-      drawSample(views, size, lit, sample, targets.accumulation(kApproximation), Output::Radiance);
+      // Last, as its statistics are the picture's.
+      lit.splitSum = settings.splitSum;
+      if (!settings.splitSum) lit.reference = 0;
+      drawSample(views, size, lit, sample, targets.accumulation(kApproximation), Output::Radiance, {first, end - first});
     } else {
       drawSample(views, size, settings, sample, targets.accumulation(), output, {first, end - first});
     }
@@ -342,11 +345,9 @@ struct Renderer::State {
 
 namespace {
 
-double luminance(const glm::vec4& rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
-
 // Of the error view: whether surfaces cover the pixel in all of its samples.
 bool isSurface(const glm::vec4& approximation, const glm::vec4& reference) {
-  return approximation.a > 0 && std::min(luminance(approximation), luminance(reference)) > -1;
+  return approximation.a > 0 && std::min(luminanceOf(&approximation.x), luminanceOf(&reference.x)) > -1;
 }
 
 // How many pixels of the views, rows from the bottom, are so; between views nothing is drawn.
@@ -428,7 +429,7 @@ std::vector<ReferenceError> Renderer::referenceErrors(std::span<const View> view
   for (const View& view : views) {
     ReferenceErrorSum sum;
     countInViews({&view, 1}, size, [&](size_t i) {
-      if (isSurface(approximation[i], first[i])) sum.add(luminance(approximation[i]), luminance(first[i]), luminance(second[i]));
+      if (isSurface(approximation[i], first[i])) sum.add(luminanceOf(&approximation[i].x), luminanceOf(&first[i].x), luminanceOf(&second[i].x));
       return false;
     });
     errors.push_back(sum.error());

@@ -79,6 +79,9 @@ struct RenderSettings {
   // Monte Carlo samples of each pixel, over all of those frames together; 0: lights and environment are approximated. The
   // truth is an average of radiance, which is tone mapped as a whole.
   int reference = 0;
+  // Of a reference: reflections of the environment by the split sum itself (Karis 2013, eq. 7), at the true direction of
+  // view. What is drawn without a reference assumes n = v = r as well. In the error view it is what is compared.
+  bool splitSum = false;
   // The relative error that the error view, which needs a reference of at least 2, shows in its strongest colours.
   float errorScale = 0.25f;
   // What an environment does to a model may be coarse where it would have to be made first: for a picture now. See

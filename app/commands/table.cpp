@@ -9,6 +9,7 @@ extern const Command kCompileCommand;
 extern const Command kDiffCommand;
 extern const Command kEditCommand;
 extern const Command kEvalCommand;
+extern const Command kFiguresCommand;
 extern const Command kInfoCommand;
 extern const Command kModelsCommand;
 extern const Command kVerifyCommand;
@@ -20,6 +21,7 @@ std::span<const Command* const> commands() {
   static const Command* const table[] = {
       &kRenderCommand,
       &kCompareCommand,
+      &kFiguresCommand,
       &kEditCommand,
       &kDiffCommand,
       &kModelsCommand,

@@ -175,7 +175,7 @@ bool Preview::sameSettings(const Preview& o) const {
   const auto key = [](const Preview& p) {
     return std::tie(p.subject, p.models, p.columns, p.materials, p.sweepName, p.sweepFrom, p.sweepTo, p.sweepCount,
                     p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
-                    p.exposure, p.tonemap, p.background, p.reference, p.errorScale, p.compensate, p.areaLights, p.shadows, p.materialOcclusion, p.screenOcclusion, p.ground);
+                    p.exposure, p.tonemap, p.background, p.reference, p.splitSum, p.errorScale, p.compensate, p.areaLights, p.shadows, p.materialOcclusion, p.screenOcclusion, p.ground);
   };
   return key(*this) == key(o) && backgroundColor == o.backgroundColor && lights == o.lights;
 }
@@ -211,6 +211,7 @@ Json previewJson(const Preview& p) {
   json.set("backgroundColor", vec(p.backgroundColor));
   json.set("compensate", Json::of(p.compensate));
   json.set("reference", Json::of(p.reference));
+  json.set("splitSum", Json::of(p.splitSum));
   json.set("errorScale", Json::of(p.errorScale));
   for (const AreaLightsInfo& info : areaLightMethods())
     if (info.method == p.areaLights) json.set("areaLights", Json::of(std::string(info.id)));
@@ -258,6 +259,7 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   std::string method;
   reader.read("areaLights", method);
   reader.read("reference", p.reference);
+  reader.read("splitSum", p.splitSum);
   reader.read("errorScale", p.errorScale, 1e-4f, 10);
   for (const AreaLightsInfo& info : areaLightMethods())
     if (info.id == method) p.areaLights = info.method;

@@ -55,6 +55,7 @@ struct Preview {
   glm::vec3 backgroundColor{0.02f};     // linear
   // Instead of approximations, as it converges; the error view compares with it.
   bool reference = false;
+  bool splitSum = false;                // as RenderSettings, and likewise
   float errorScale = 0.25f;             // as RenderSettings
   bool compensate = false;              // as RenderSettings
   AreaLights areaLights = AreaLights::Cosines;

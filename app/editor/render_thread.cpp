@@ -189,6 +189,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
     settings_.samples = kReferenceFrames;
     settings_.reference = kReferenceFrames * (context_->info().software ? kReferenceSamplesInSoftware : kReferenceSamples);
     settings_.errorScale = preview.errorScale;
+    settings_.splitSum = preview.splitSum;
   }
   if (!scene.comparison) {
     settings_.shadows = preview.shadows;

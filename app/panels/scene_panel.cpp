@@ -192,6 +192,11 @@ class ScenePanel final : public Panel {
       if (reset) p.reference = false;
       return ui::checkbox("Reference", p.reference);
     });
+    if (editor.document().preview().reference || editor.document().preview().view == kErrorView)
+      property("Split sum", "The environment\u2019s reflections as two sums, at the true direction of view; what is drawn without a reference assumes n = v = r as well", editor, [&](Preview& p, bool reset) {
+        if (reset) p.splitSum = false;
+        return ui::checkbox("Split sum", p.splitSum);
+      });
     if (editor.document().preview().view == kErrorView)
       property("Error scale", "The relative error that the strongest colours stand for", editor, [&](Preview& p, bool reset) {
         if (reset) p.errorScale = Preview{}.errorScale;

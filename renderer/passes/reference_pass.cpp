@@ -35,6 +35,7 @@ Diagnostics ReferencePass::drawGroup(Frame& frame, LightLists& lists, const Read
   if (!furnace && frame.optional.emissive) defines.push_back("EMISSIVE");
   if (furnace) defines.push_back("FURNACE");
   else if (environment) defines.push_back("ENVIRONMENT");
+  if (environment && !furnace && frame.settings.splitSum) defines.push_back("SPLIT_SUM");
   if (frame.optional.parameters) defines.push_back("READS_PARAMETERS");
   if (group.compensate) defines.push_back("COMPENSATE");
   const auto found = programs_.get(Rectangles::vertexShader(), {"shaders/passes/reference.frag", defines, {{"model", group.setting.shader->glsl}}});

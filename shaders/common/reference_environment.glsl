@@ -60,3 +60,34 @@ vec3 referenceEnvironment(Shading s, Parameters p, Proposal q, uint first, int c
   }
   return sum / float(count);
 }
+
+#ifdef SPLIT_SUM
+// Where a facet of a GGX as wide as the model's lobe reflects the viewer to; in the proposal's frame.
+vec3 referenceReflected(Proposal q, vec2 u) {
+  float phi = 2.0 * kPi * u.x, slope = sqrt(u.y / (1.0 - u.y));
+  vec3 H = normalize(vec3(q.alpha * slope * vec2(cos(phi), sin(phi)), 1.0));
+  return 2.0 * dot(q.view, H) * H - q.view;
+}
+
+// The specular part as two sums (Karis 2013, eq. 7): the mean of the light, by its cosine, times what the model sends on of
+// white light. Their samples are independent, so that the mean of the products is the product of the means.
+vec3 referenceSplitSum(Shading s, Parameters p, Proposal q, uint first, int count, uvec3 offset) {
+  const int kWeights = 64;
+  float weight = 0.0;
+  for (int i = 0; i < kWeights; ++i) weight += max(referenceReflected(q, referenceTwo(uint(i), offset)).z, 0.0) / float(kWeights);
+  vec3 sum = vec3(0.0);
+  uvec3 other = referenceHash(offset), third = referenceHash(other);
+  for (int i = 0; i < count; ++i) {
+    uint index = first + uint(i);
+    vec3 l = referenceReflected(q, referenceTwo(index, other));
+    if (l.z <= 0.0) continue;
+    vec3 light = textureLod(environmentRadiance, referencePlace(environmentFromWorld(q.frame * l)), 0.0).rgb * (l.z / max(weight, 1e-4));
+    vec3 L = referenceDirection(q, referenceThree(index, third));
+    float cosine = dot(s.N, L), pdf = referenceDirectionPdf(q, L);
+    if (cosine <= 0.0 || !(pdf > 0.0)) continue;
+    setLight(s, L);
+    sum += referenceFinite(light * modelSpecular(s, p) * (cosine / pdf));
+  }
+  return sum / float(count);
+}
+#endif

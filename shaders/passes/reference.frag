@@ -12,6 +12,12 @@ layout(location = 0) out vec4 outColor;
 #include "shaders/common/shaded_pixel.glsl"
 #include "shaders/common/lights.glsl"
 #include "shaders/common/scene_lights.glsl"
+#ifdef SPLIT_SUM
+// Of the environment only the diffuse part is as it is.
+bool diffuseAlone = false;
+vec3 partLit(Shading s, Parameters p) { return diffuseAlone ? modelDiffuse(s, p) : modelLit(s, p); }
+#define REFERENCE_LIT partLit
+#endif
 #include "shaders/common/reference.glsl"
 #if defined(ENVIRONMENT) || defined(FURNACE)
 #include "shaders/common/reference_environment.glsl"
@@ -61,6 +67,10 @@ void main() {
 #if defined(ENVIRONMENT) || defined(FURNACE)
   s.analyticLight = false;
   modelPrepare(s, p);
+#ifdef SPLIT_SUM
+  diffuseAlone = true;
+  radiance += referenceSplitSum(s, p, q, uint(firstSample), sampleCount, referenceHash(offset + 1u)) * (surface.ambientOcclusion * view.environmentIntensity * environmentScale);
+#endif
   radiance += referenceEnvironment(s, p, q, uint(firstSample), sampleCount, referenceHash(offset)) * (surface.ambientOcclusion * view.environmentIntensity * environmentScale);
 #endif
   radiance *= surface.cavity;
