@@ -69,19 +69,19 @@ vec3 referenceReflected(Proposal q, vec2 u) {
   return 2.0 * dot(q.view, H) * H - q.view;
 }
 
-// The specular part as two sums (Karis 2013, eq. 7): the mean of the light, by its cosine, times what the model sends on of
-// white light. Their samples are independent, so that the mean of the products is the product of the means.
+// The specular part as two sums (Karis 2013, eq. 7): the mean of the light from above the surface, times what the model sends
+// on of white light. The mean is a plain one: weights by the cosine help where n = v = r, and do harm here. Their samples are independent, so that the mean of the products is the product of the means.
 vec3 referenceSplitSum(Shading s, Parameters p, Proposal q, uint first, int count, uvec3 offset) {
-  const int kWeights = 64;
-  float weight = 0.0;
-  for (int i = 0; i < kWeights; ++i) weight += max(referenceReflected(q, referenceTwo(uint(i), offset)).z, 0.0) / float(kWeights);
+  const int kFacets = 64;
+  float above = 0.0;
+  for (int i = 0; i < kFacets; ++i) above += step(0.0, referenceReflected(q, referenceTwo(uint(i), offset)).z) / float(kFacets);
   vec3 sum = vec3(0.0);
   uvec3 other = referenceHash(offset), third = referenceHash(other);
   for (int i = 0; i < count; ++i) {
     uint index = first + uint(i);
     vec3 l = referenceReflected(q, referenceTwo(index, other));
     if (l.z <= 0.0) continue;
-    vec3 light = textureLod(environmentRadiance, referencePlace(environmentFromWorld(q.frame * l)), 0.0).rgb * (l.z / max(weight, 1e-4));
+    vec3 light = textureLod(environmentRadiance, referencePlace(environmentFromWorld(q.frame * l)), 0.0).rgb / max(above, 1.0 / float(kFacets));
     vec3 L = referenceDirection(q, referenceThree(index, third));
     float cosine = dot(s.N, L), pdf = referenceDirectionPdf(q, L);
     if (cosine <= 0.0 || !(pdf > 0.0)) continue;
