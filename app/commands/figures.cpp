@@ -1,5 +1,6 @@
 // glint figures: the figures of Karis' notes, each approximation beside its reference and with its error.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ Result<Plan> parsePlan(const Arguments& arguments) {
   for (const std::string& text : arguments.all("figures")) {
     const auto found = std::find_if(known.begin(), known.end(), [&](int number) { return text == std::to_string(number); });
     if (found != known.end()) plan.numbers.push_back(*found);
-    else problems.push_back(error("figures", fmt::format("'{}' is not a figure that is drawn", text), "there are 3, 4, 5, 9, 10, 12 and 13"));
+    else problems.push_back(error("figures", fmt::format("'{}' is not a figure that is drawn", text), fmt::format("there are {}", fmt::join(known, ", "))));
   }
   if (plan.numbers.empty()) plan.numbers = known;
   plan.folder = arguments.get("output");

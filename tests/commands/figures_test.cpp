@@ -42,7 +42,7 @@ TEST(FiguresCommand, EveryApproximationHasItsError) {
 }
 
 TEST(FiguresCommand, RefusesWhatItDoesNotKnow) {
-  EXPECT_BAD_INPUT(glint({"figures", "11", "-o", "figures"}), "'11'", "3, 4, 5, 9, 10, 12 and 13");
+  EXPECT_BAD_INPUT(glint({"figures", "11", "-o", "figures"}), "figures", "there are 3, 4, 5, 9, 10, 12, 13");
   EXPECT_BAD_INPUT(glint({"figures", "--reference", "1", "-o", "figures"}), "--reference", "2 to 65536");
   EXPECT_BAD_INPUT(glint({"figures", "4", "--model", "nosuch", "-o", "figures"}), "--model", "unknown shading model");
 }
