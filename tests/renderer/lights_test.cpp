@@ -9,29 +9,15 @@
 #include "materials/model_registry.h"
 #include "renderer/area_light_tables.h"
 #include "renderer/renderer.h"
-#include "tests/support/simple_scene.h"
+#include "tests/support/renderer_fixture.h"
 
 namespace glint {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-class LightsTest : public testing::Test {
+class LightsTest : public test::RendererFixture<LightsTest> {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::Context::create({.backend = gl::Backend::Egl});
-    ASSERT_TRUE(made);
-    context = std::move(*made).release();
-    renderer = new Renderer(*context);
-    models = new ModelRegistry();
-    sphere = sphereMesh(48, 24);
-  }
-  static void TearDownTestSuite() {
-    delete models;
-    delete renderer;
-    delete context;
-    sphere.reset();
-  }
   static Scene scene(const char* model, const test::Look& look, const std::vector<Light>& lights) {
     Scene scene;
     scene.materials.push_back(test::material(models->find(model), look));
@@ -49,11 +35,6 @@ class LightsTest : public testing::Test {
     return renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
   }
   static double center(const ImageF& image) { return image.at(image.width / 2, image.height / 2)[0]; }
-
-  static inline gl::Context* context = nullptr;
-  static inline Renderer* renderer = nullptr;
-  static inline ModelRegistry* models = nullptr;
-  static inline MeshPtr sphere;
 };
 
 // product.md: a light of zero size equals the point light.

@@ -4,24 +4,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/renderer.h"
-#include "tests/support/simple_scene.h"
+#include "tests/support/renderer_fixture.h"
 
 namespace glint {
 namespace {
 
-class ModelFunctions : public testing::Test {
+class ModelFunctions : public test::RendererFixture<ModelFunctions> {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::Context::create({.backend = gl::Backend::Egl});
-    ASSERT_TRUE(made);
-    context = std::move(*made).release();
-    renderer = new Renderer(*context);
-  }
-  static void TearDownTestSuite() {
-    delete renderer;
-    delete context;
-  }
-
   // A model with these keys in its head that has neither D nor diffuse part of its own.
   static ModelPtr model(const std::string& keys, const std::string& body) {
     const std::string nothing = body.find("specular(") == body.npos ? "vec3 specular(Shading s, Parameters p) { return vec3(0.0); }\n" : "";
@@ -51,9 +40,6 @@ class ModelFunctions : public testing::Test {
   static void expectNear(const glm::vec3& got, const glm::vec3& wanted, float tolerance = 2e-3f) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], tolerance) << "channel " << c;
   }
-
-  static inline gl::Context* context = nullptr;
-  static inline Renderer* renderer = nullptr;
 };
 
 TEST_F(ModelFunctions, SeeTheSurfacesOwnTangent) {

@@ -10,29 +10,15 @@
 #include "renderer/environment_sampler.h"
 #include "renderer/model_integrals.h"
 #include "renderer/renderer.h"
-#include "tests/support/simple_scene.h"
+#include "tests/support/renderer_fixture.h"
 
 namespace glint {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-class ReferenceTest : public testing::Test {
+class ReferenceTest : public test::RendererFixture<ReferenceTest> {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::Context::create({.backend = gl::Backend::Egl});
-    ASSERT_TRUE(made);
-    context = std::move(*made).release();
-    renderer = new Renderer(*context);
-    models = new ModelRegistry();
-    sphere = sphereMesh(48, 24);
-  }
-  static void TearDownTestSuite() {
-    delete models;
-    delete renderer;
-    delete context;
-    sphere.reset();
-  }
   static Scene scene(const ModelPtr& model, const test::Look& look, const std::vector<const char*>& lights) {
     Scene scene;
     scene.materials.push_back(test::material(model, look));
@@ -57,11 +43,6 @@ class ReferenceTest : public testing::Test {
   }
   // Where the normal is towards the camera, the middle of an odd number of pixels.
   static double center(const ImageF& image) { return image.at(image.width / 2, image.height / 2)[1]; }
-
-  static inline gl::Context* context = nullptr;
-  static inline Renderer* renderer = nullptr;
-  static inline ModelRegistry* models = nullptr;
-  static inline MeshPtr sphere;
 };
 
 TEST_F(ReferenceTest, LightsWithoutASurfaceAreExact) {

@@ -12,29 +12,14 @@
 #include "renderer/renderer.h"
 #include "shaders/shipped_files.h"
 #include "tests/support/program.h"
-#include "tests/support/simple_scene.h"
+#include "tests/support/renderer_fixture.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
-class RendererTest : public testing::Test {
+class RendererTest : public test::RendererFixture<RendererTest> {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::Context::create({.backend = gl::Backend::Egl});
-    ASSERT_TRUE(made);
-    context = std::move(*made).release();
-    models = new ModelRegistry();
-    renderer = new Renderer(*context);
-    sphere = sphereMesh(48, 24);
-  }
-  static void TearDownTestSuite() {
-    delete renderer;
-    delete models;
-    delete context;
-    sphere.reset();
-  }
-
   static Scene sphereScene(const std::string& model, const test::Look& look) {
     Scene scene;
     scene.materials.push_back(test::material(models->find(model), look));
@@ -51,11 +36,6 @@ class RendererTest : public testing::Test {
     return renderer->linear(std::span(&view, 1), {side, side}, settings);
   }
   static float center(const ImageF& image) { return image.at(image.width / 2, image.height / 2)[0]; }
-
-  static inline gl::Context* context = nullptr;
-  static inline ModelRegistry* models = nullptr;
-  static inline Renderer* renderer = nullptr;
-  static inline MeshPtr sphere;
 };
 
 // product.md 1: a white Lambert surface facing pi lux shows 1 at exposure 0.

@@ -10,29 +10,15 @@
 #include "materials/model_registry.h"
 #include "renderer/ground.h"
 #include "renderer/renderer.h"
-#include "tests/support/simple_scene.h"
+#include "tests/support/renderer_fixture.h"
 
 namespace glint {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-class ShadowsTest : public testing::Test {
+class ShadowsTest : public test::RendererFixture<ShadowsTest> {
  protected:
-  static void SetUpTestSuite() {
-    auto made = gl::Context::create({.backend = gl::Backend::Egl});
-    ASSERT_TRUE(made);
-    context = std::move(*made).release();
-    renderer = new Renderer(*context);
-    models = new ModelRegistry();
-    sphere = sphereMesh(48, 24);
-  }
-  static void TearDownTestSuite() {
-    delete models;
-    delete renderer;
-    delete context;
-    sphere.reset();
-  }
   static SurfaceMaterial white() { return test::material(models->find("ggx"), {.baseColor = glm::vec3(1), .roughness = 1, .specular = 0}); }
   // A plane of 8 x 8 m in xy that faces +Z, and a sphere of 0.25 m, a metre above it.
   static Scene sphereOverPlane(const std::vector<Light>& lights) {
@@ -69,11 +55,6 @@ class ShadowsTest : public testing::Test {
       for (int x = 0; x < with.width; ++x) *share.at(x, y) = without.at(x, y)[0] > 1e-4 ? with.at(x, y)[0] / without.at(x, y)[0] : 1;
     return share;
   }
-
-  static inline gl::Context* context = nullptr;
-  static inline Renderer* renderer = nullptr;
-  static inline ModelRegistry* models = nullptr;
-  static inline MeshPtr sphere;
 };
 
 // A sphere of radius r in parallel light at 45 degrees leaves an ellipse of half axes r sqrt(2) and r, a height beside it.
