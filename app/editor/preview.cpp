@@ -114,6 +114,14 @@ std::string_view nameIn(E value, const std::pair<E, std::string_view> (&names)[N
   return "?";
 }
 
+// Angles in degrees.
+Json propertyJson(const Light& light, const LightProperty& property) {
+  if (property.flag) return Json::of(light.*property.flag);
+  if (property.vector) return vec(light.*property.vector);
+  const float number = light.*property.number;
+  return Json::of(property.unit == LightProperty::Unit::Degrees ? glm::degrees(number) : number);
+}
+
 std::optional<Light> readLight(const Json& json, const std::string& place, Diagnostics& warnings) {
   Light light;
   std::string kind = infoOf(light.kind).id;
@@ -130,6 +138,10 @@ std::optional<Light> readLight(const Json& json, const std::string& place, Diagn
   for (const LightProperty& property : info->properties) {
     if (property.flag) {
       reader.read(property.key, light.*property.flag);
+    } else if (property.unit == LightProperty::Unit::Degrees) {
+      float degrees = glm::degrees(light.*property.number);
+      reader.read(property.key, degrees, glm::degrees(property.least), glm::degrees(property.most));
+      light.*property.number = std::clamp(glm::radians(degrees), property.least, property.most);
     } else if (property.number) {
       reader.read(property.key, light.*property.number, property.least, property.most);
     } else {
@@ -202,7 +214,7 @@ Json previewJson(const Preview& p) {
     Json& one = lights.push(Json::object());
     const LightKindInfo& info = infoOf(light.kind);
     one.set("kind", Json::of(std::string(info.id)));
-    for (const LightProperty& property : info.properties) one.set(property.key, property.flag ? Json::of(light.*property.flag) : property.vector ? vec(light.*property.vector) : Json::of(light.*property.number));
+    for (const LightProperty& property : info.properties) one.set(property.key, propertyJson(light, property));
   }
   json.set("view", Json::of(p.view));
   json.set("exposure", Json::of(p.exposure));

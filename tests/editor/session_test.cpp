@@ -192,7 +192,10 @@ TEST(Preview, ReadsBackWhatItWroteAndForgivesDamage) {
   Preview preview;
   preview.columns = Preview::Columns::Sweep;
   preview.lights.push_back({.kind = LightKind::Point, .position = {1, 2, 3}, .candela = 7});
-  preview.lights.push_back({.kind = LightKind::Directional, .angle = 0.05f, .shadow = false});
+  preview.lights.push_back({.kind = LightKind::Directional, .angle = glm::radians(3.0f), .shadow = false});
+  preview.lights.push_back({.kind = LightKind::Spot, .innerAngle = glm::radians(20.0f), .outerAngle = glm::radians(35.0f)});
+  // Angles of files are in degrees (product.md 1).
+  EXPECT_EQ(previewJson(preview).find("lights")->items[2].find("outerAngle")->number, 35);
   preview.shadows = Shadows::Maps;
   preview.materialOcclusion = preview.screenOcclusion = false;
   preview.ground = Ground::Shadow;
