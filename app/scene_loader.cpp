@@ -63,10 +63,10 @@ Result<MaterialPtr> Libraries::material(const std::string& nameOrFile, const std
   return all;
 }
 
-Result<Scene> loadStage(const SceneOptions& options) {
+Result<Scene> loadStage(const SceneOptions& options, Diagnostics& warnings) {
   Scene scene;
   scene.lights = options.lights;
-  auto environment = loadEnvironment(options.environment);
+  auto environment = loadEnvironment(options.environment, &warnings);
   if (!environment) return environment.diagnostics();
   scene.environment = std::move(*environment);
   scene.environmentRotation = options.environmentRotation;
@@ -100,7 +100,7 @@ Result<LoadedMesh> loadMesh(const std::string& shapeOrFile, const std::string& p
 
 Result<Scene> loadScene(const SceneOptions& options, Libraries& libraries, Diagnostics& warnings) {
   Diagnostics faults;
-  auto stage = loadStage(options);
+  auto stage = loadStage(options, warnings);
   if (!stage) append(faults, stage.diagnostics());
   auto mesh = loadMesh(options.mesh.empty() ? "sphere" : options.mesh, "--mesh", libraries.textures, warnings);
   if (!mesh) append(faults, mesh.diagnostics());

@@ -36,7 +36,7 @@ struct Libraries {
 };
 
 // The lights and the environment, without any instance.
-Result<Scene> loadStage(const SceneOptions&);
+Result<Scene> loadStage(const SceneOptions&, Diagnostics& warnings);
 
 // The whole scene of `render`: mesh, materials with the model and settings of the options, lights, environment.
 // Every error at once where one does not hide another.

@@ -1,12 +1,11 @@
 #include "renderer/environment.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
 #include "materials/base/hash.h"
-#include "renderer/image_io.h"
+#include "renderer/environment_file.h"
 
 namespace glint {
 
@@ -34,36 +33,9 @@ ImageF furnacePixels() {
   return image;
 }
 
-// What keeps a picture from being an environment.
-Diagnostics check(const ImageF& image, const std::string& place) {
-  Diagnostics problems;
-  if (image.width != 2 * image.height)
-    problems.push_back(error(place, fmt::format("is {} x {} pixels, not twice as wide as high", image.width, image.height),
-                             "an environment is one equirectangular picture of the whole sphere"));
-  // The sun has 2e9 nits; sums of a thousand times that stay finite.
-  constexpr float kBrightest = 1e12f;
-  size_t bad = 0, first = 0;
-  for (size_t i = 0; i < image.data.size(); ++i)
-    if (!(image.data[i] >= 0 && image.data[i] <= kBrightest)) {
-      if (bad++ == 0) first = i;
-    }
-  if (bad > 0) {
-    const float v = image.data[first];
-    const size_t pixel = first / 3;
-    problems.push_back(error(
-        place,
-        fmt::format("pixel ({}, {}), counted from the top left, is {} in {}{}", pixel % size_t(image.width),
-                    pixel / size_t(image.width), std::isnan(v) ? "NaN" : std::isinf(v) ? "infinite" : fmt::format("{:g}", v),
-                    std::array{"red", "green", "blue"}[first % 3],
-                    bad > 1 ? fmt::format(", and {} more values are NaN, negative or above 1e12", bad - 1) : ""),
-        "light is from 0 to 1e12 nits: clamp the picture and save it again"));
-  }
-  return problems;
-}
-
 }  // namespace
 
-Result<EnvironmentPtr> loadEnvironment(const std::string& nameOrFile) {
+Result<EnvironmentPtr> loadEnvironment(const std::string& nameOrFile, Diagnostics* warnings) {
   if (nameOrFile == "none") return EnvironmentPtr{};
   if (nameOrFile == "studio") return made(nameOrFile, studioPixels());
   if (nameOrFile == "sky") return made(nameOrFile, skyPixels());
@@ -77,11 +49,10 @@ Result<EnvironmentPtr> loadEnvironment(const std::string& nameOrFile) {
                  near.empty() ? "name a .hdr, .exr or .pfm file, studio, sky, furnace or none"
                               : fmt::format("did you mean '{}'?", near));
   }
-  Result<ImageF> image = readImageF(path);
-  if (!image) return image.diagnostics();
-  Diagnostics problems = check(*image, nameOrFile);
-  if (!problems.empty()) return problems;
-  return made(path.filename().string(), std::move(*image));
+  auto file = readEnvironmentFile(path, kLargestEnvironmentWidth);
+  if (!file) return file.diagnostics();
+  if (warnings) warnings->insert(warnings->end(), file->warnings.begin(), file->warnings.end());
+  return made(path.filename().string(), std::move(file->pixels));
 }
 
 }  // namespace glint

@@ -12,9 +12,9 @@ namespace glint {
 
 // "studio": softboxes on a dark ground, the default; "sky": a clear sky with a sun; "furnace": 1 everywhere.
 std::vector<std::string> environmentNames();  // also "none"
-// One of the names, "none" (gives a null pointer), or a file. Errors: unreadable; not 2:1; NaN, infinite or
-// negative pixels (named with the place of the first); a side over kLargestImageSide.
-Result<EnvironmentPtr> loadEnvironment(const std::string& nameOrFile);
+// One of the names, "none" (gives a null pointer), or a file, mended as environment_file.h says. Errors: unreadable; a
+// side over kLargestImageSide.
+Result<EnvironmentPtr> loadEnvironment(const std::string& nameOrFile, Diagnostics* warnings = nullptr);
 
 // The generated ones, height = width / 2 pixels, the same at every call. Both light a white surface that faces
 // their brightest side to about 1 nit per pi lux, so that exposure 0 suits them.

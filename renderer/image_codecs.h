@@ -20,7 +20,8 @@ Result<ImageSize> jpegSize(std::string_view bytes, const std::string& place);
 Result<Image8> decodeJpeg(std::string_view bytes, const std::string& place);
 
 bool isHdr(std::string_view bytes);
-Result<ImageF> decodeHdr(std::string_view bytes, const std::string& place);
+// Wider ones than `mostWidth` are averaged over squares of pixels; those at the right and lower rim may be cut.
+Result<ImageF> decodeHdr(std::string_view bytes, const std::string& place, int mostWidth = kLargestImageSide, ImageSize* inFile = nullptr);
 std::string encodeHdr(const ImageF&, const ImageNotes&);
 
 bool isPfm(std::string_view bytes);

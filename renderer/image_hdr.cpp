@@ -186,7 +186,7 @@ const std::array<float, 256>& scales() {
 
 bool isHdr(std::string_view bytes) { return bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE"); }
 
-Result<ImageF> decodeHdr(std::string_view bytes, const std::string& place) {
+Result<ImageF> decodeHdr(std::string_view bytes, const std::string& place, int mostWidth, ImageSize* inFile) {
   const Result<Head> head = readHead(bytes, place);
   if (!head) return head.diagnostics();
   const int width = head->width, height = head->height;
@@ -203,18 +203,24 @@ Result<ImageF> decodeHdr(std::string_view bytes, const std::string& place) {
     }
   }
 
-  ImageF image(width, height, 3);
+  if (inFile) *inFile = {width, height};
+  const int side = (width + mostWidth - 1) / mostWidth;  // of a square that becomes one pixel
+  ImageF image((width + side - 1) / side, (height + side - 1) / side, 3);
   constexpr int kRowsAtOnce = 16;
-  parallelFor(size_t((height + kRowsAtOnce - 1) / kRowsAtOnce), [&](size_t band) {
+  parallelFor(size_t((image.height + kRowsAtOnce - 1) / kRowsAtOnce), [&](size_t band) {
     std::vector<Byte> rgbe(size_t(width) * 4);
-    for (int y = int(band) * kRowsAtOnce; y < std::min(height, (int(band) + 1) * kRowsAtOnce); ++y) {
-      size_t from = starts[size_t(y)];
-      scanline.read(from, rgbe.data());
-      float* to = image.at(0, head->bottomUp ? height - 1 - y : y);
-      for (int x = 0; x < width; ++x) {
-        const Byte* pixel = &rgbe[4 * size_t(head->rightToLeft ? width - 1 - x : x)];
-        const float scale = scales()[pixel[3]];
-        for (int c = 0; c < 3; ++c) *to++ = float(pixel[c]) * scale;
+    for (int row = int(band) * kRowsAtOnce; row < std::min(image.height, (int(band) + 1) * kRowsAtOnce); ++row) {
+      const int top = row * side, rows = std::min(side, height - top);
+      for (int y = top; y < top + rows; ++y) {
+        size_t from = starts[size_t(head->bottomUp ? height - 1 - y : y)];
+        scanline.read(from, rgbe.data());
+        for (int x = 0; x < width; ++x) {
+          const Byte* pixel = &rgbe[4 * size_t(head->rightToLeft ? width - 1 - x : x)];
+          const int column = x / side, columns = std::min(side, width - column * side);
+          const float scale = scales()[pixel[3]] / float(columns * rows);
+          float* to = image.at(column, row);
+          for (int c = 0; c < 3; ++c) to[c] += float(pixel[c]) * scale;
+        }
       }
     }
   });

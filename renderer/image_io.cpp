@@ -73,6 +73,16 @@ Result<ImageF> readImageF(const fs::path& path) {
   return decodeImageF(*bytes, path.string());
 }
 
+Result<ImageF> readImageF(const fs::path& path, int mostWidth, ImageSize& inFile) {
+  GLINT_CHECK(mostWidth > 0, "{}", mostWidth);
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes.diagnostics();
+  if (codec::isHdr(*bytes)) return codec::decodeHdr(*bytes, path.string(), mostWidth, &inFile);
+  Result<ImageF> image = decodeImageF(*bytes, path.string());
+  if (image) inFile = {image->width, image->height};
+  return image;
+}
+
 Result<ImageNotes> readImageNotes(const fs::path& path) {
   const Result<std::string> bytes = readFile(path);
   if (!bytes) return bytes.diagnostics();

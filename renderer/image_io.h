@@ -34,6 +34,10 @@ Result<Image8> readImage8(const std::filesystem::path&);
 // negative, infinite and NaN may occur). Grey files are spread over the three channels; alpha is dropped.
 Result<ImageF> decodeImageF(std::string_view bytes, const std::string& place);
 Result<ImageF> readImageF(const std::filesystem::path&);
+// The same for whoever needs no more than `mostWidth` pixels a row: a wider .hdr is averaged over squares of pixels as
+// it is read, so that it is never held whole. Other formats are given as they are: their pixels may be NaN or negative,
+// and want mending first. `inFile` is the size before.
+Result<ImageF> readImageF(const std::filesystem::path&, int mostWidth, ImageSize& inFile);
 
 // What a picture says of how it was made: command line, versions, GL renderer, content hashes. Keys are fixed words of
 // the program's, at most 79 printable ASCII characters; whatever comes from files or the user is text, of any bytes (what

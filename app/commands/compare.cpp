@@ -350,7 +350,7 @@ int run(const Arguments& arguments) {
   Axes axes;
   Scene stage;
   keep(problems, findAxes(*plan, libraries, warnings), axes);
-  keep(problems, loadStage(plan->scene), stage);
+  keep(problems, loadStage(plan->scene, warnings), stage);
   if (!plan->scene.mesh.empty()) {
     LoadedMesh mesh;
     keep(problems, loadMesh(plan->scene.mesh, "--mesh", libraries.textures, warnings), mesh);

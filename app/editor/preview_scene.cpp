@@ -204,9 +204,9 @@ void PreviewScene::loadEnvironmentOf(const Preview& preview) {
   environmentName_ = preview.environment;
   environmentTime_ = time;
   environmentProblems_.clear();
-  auto loaded = loadEnvironment(preview.environment);
+  auto loaded = loadEnvironment(preview.environment, &environmentProblems_);
   if (loaded) environment_ = *loaded;
-  else environmentProblems_ = loaded.diagnostics();
+  else append(environmentProblems_, loaded.diagnostics());
 }
 
 void PreviewScene::buildComparison(const FrameRequest& request, const Scene& stage) {
