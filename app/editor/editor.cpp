@@ -59,10 +59,12 @@ Editor::Editor(gl::Context& context, EditorOptions options) : context_(context),
   };
   render_ = std::make_unique<RenderThread>(std::move(*context_.createShared()), nodes_, functions_, wake);
   health_ = std::make_unique<HealthWorker>(std::move(*context_.createShared()), [this] { return render_->working(); }, wake);
+  environmentThumbnails_ = std::make_unique<EnvironmentThumbnails>(wake);
 }
 
 Editor::~Editor() {
   storeSession();
+  environmentThumbnails_.reset();
   health_.reset();
   render_.reset();
   context_.makeCurrent();
@@ -114,6 +116,7 @@ bool Editor::hasNews() {
   const std::string text = progress ? progress->what + std::to_string(int(progress->fraction * 100)) : "";
   bool news = std::exchange(modelsChanged_, false) || render_->hasFinished();
   news |= health_->takeNews();
+  news |= environmentThumbnails_->takeNews();
   // Not with every step: on software GL each frame of the window takes its time from the work it reports on.
   constexpr auto kLook = std::chrono::milliseconds(200);
   if (const auto now = std::chrono::steady_clock::now(); text != progressShown_ && (text.empty() || now - progressAt_ > kLook)) {

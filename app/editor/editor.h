@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/environment_thumbnails.h"
 #include "app/editor/file_browser.h"
 #include "app/editor/fonts.h"
 #include "app/editor/health_worker.h"
@@ -70,6 +71,8 @@ class Editor {
   GraphContext graphContext() const;
   RenderThread& render() { return *render_; }
   HealthWorker& health() { return *health_; }
+  EnvironmentThumbnails& environmentThumbnails() { return *environmentThumbnails_; }
+  const std::filesystem::path& configFolder() const { return options_.configFolder; }   // empty: nothing is remembered
   const std::vector<Term>& terms() const { return terms_; }   // that mixes are made of
   const FrameResult& shown() const { return render_->shown(); }
   Fonts& fonts() { return fonts_; }
@@ -146,6 +149,7 @@ class Editor {
   std::unique_ptr<Document> document_;
   std::unique_ptr<RenderThread> render_;
   std::unique_ptr<HealthWorker> health_;
+  std::unique_ptr<EnvironmentThumbnails> environmentThumbnails_;
   PluginSaver pluginSaver_;
   ModelMix savedMix_;
   std::optional<std::string> savedRow_;

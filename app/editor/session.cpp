@@ -24,6 +24,7 @@ Session Session::read(const std::filesystem::path& file) {
     for (const Json& item : recent->items)
       if (item.isString() && session.recent.size() < 10) session.recent.push_back(item.text);
   if (const Json* folder = json->find("folder")) session.folder = folder->text;
+  if (const Json* folder = json->find("environmentFolder"); folder && folder->isString()) session.environmentFolder = folder->text;
   if (const Json* layout = json->find("layout")) session.layout = *layout;
   const Json *width = json->find("width"), *height = json->find("height");
   if (width && height && width->number >= 320 && width->number <= 16384 && height->number >= 240 && height->number <= 16384) {
@@ -38,6 +39,7 @@ Diagnostics Session::write(const std::filesystem::path& file) const {
   Json& list = json.set("recent", Json::array());
   for (const std::string& one : recent) list.push(Json::of(one));
   json.set("folder", Json::of(folder));
+  json.set("environmentFolder", Json::of(environmentFolder));
   json.set("width", Json::of(width));
   json.set("height", Json::of(height));
   json.set("layout", layout);

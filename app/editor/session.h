@@ -13,6 +13,7 @@ namespace glint {
 struct Session {
   std::vector<std::string> recent;      // newest first, at most 10
   std::string folder;                   // of the last file dialog
+  std::string environmentFolder;        // whose environments are offered
   Json layout;                          // Layout::toJson(); null: the standard one
   int width = 1600, height = 960;       // of the window, in screen coordinates
 

@@ -5,9 +5,9 @@
 #include "app/editor/editor.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
+#include "app/panels/environment_browser.h"
 #include "app/panels/light_properties.h"
 #include "app/panels/panel.h"
-#include "renderer/environment.h"
 
 namespace glint {
 namespace {
@@ -34,26 +34,11 @@ class ScenePanel final : public Panel {
     if (changed || reset) editor.document().setPreview(label, preview);
   }
 
-  static void environment(Editor& editor) {
+  void environment(Editor& editor) {
     const Preview standard;
     property("Map", "A generated environment or a .hdr or .exr file; drop one on the window", editor, [&](Preview& p, bool reset) {
       if (reset) p.environment = standard.environment;
-      std::vector<std::string> names = environmentNames();
-      std::string shown = p.environment;
-      if (std::find(names.begin(), names.end(), shown) == names.end()) shown = std::filesystem::path(shown).filename().string();
-      bool changed = false;
-      if (ImGui::BeginCombo("##map", shown.c_str())) {
-        for (const std::string& name : names)
-          if (ImGui::Selectable(name.c_str(), name == p.environment)) {
-            p.environment = name;
-            changed = true;
-          }
-        ImGui::Separator();
-        if (ImGui::Selectable("Load a file\u2026")) editor.browseEnvironment();
-        ImGui::EndCombo();
-      }
-      ui::mark("Map");
-      return changed;
+      return browser_.draw(editor, p.environment);
     });
     property("Rotation", "Degrees about the vertical axis; Shift and right button in the viewport", editor, [&](Preview& p, bool reset) {
       if (reset) p.environmentRotation = 0;
@@ -243,6 +228,8 @@ class ScenePanel final : public Panel {
       return changed;
     });
   }
+
+  EnvironmentBrowser browser_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "materials/base/files.h"
 #include "materials/material_json.h"
 #include "materials/material_library.h"
+#include "renderer/environment.h"
 #include "renderer/image_io.h"
 #include "tests/editor/editor_fixture.h"
 #include "tests/support/gltf_builder.h"
@@ -105,6 +106,74 @@ TEST_F(EditorTest, TheLayoutIsDraggedAndRemembered) {
   ui().click("tab:History");
   EXPECT_TRUE(ui().editor().layout().visible("History"));
   EXPECT_TRUE(ui().has("History/start"));
+}
+
+TEST_F(EditorTest, EnvironmentsAreChosenByTheirPictures) {
+  begin();
+  const fs::path files = folder() / "environments";
+  fs::create_directories(files);
+  ImageF dusk(512, 256, 3);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 512; ++x) {
+      float* p = dusk.at(x, y);
+      const float up = 1 - float(y) / 128;
+      p[0] = y < 128 ? 0.002f * (1.2f - up) : 0.0004f;
+      p[1] = y < 128 ? 0.0012f : 0.0003f;
+      p[2] = y < 128 ? 0.001f + 0.001f * up : 0.0003f;
+    }
+  dusk.at(100, 110)[0] = 1e6f;
+  ASSERT_TRUE(writeImageF(files / "dusk.hdr", dusk).empty());
+  ASSERT_TRUE(writeImageF(files / "a-name-that-is-too-long-for-its-place.exr", skyPixels(256)).empty());
+  ASSERT_TRUE(writeImageF(files / "square.pfm", ImageF(64, 64, 3)).empty());
+  std::ofstream(files / "broken.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n";
+  std::ofstream(files / "notes.txt") << "none of them";
+  ui().editor().openFile(files / "dusk.hdr");
+  ui().frames(3);
+
+  const size_t steps = document().steps().size();
+  EnvironmentThumbnails& thumbnails = ui().editor().environmentThumbnails();
+  ui().click("Scene/Map");
+  ui().frames(2);
+  EXPECT_TRUE(ui().has("Scene/environment:sky")) << "before any picture is made";
+  ASSERT_TRUE(until([&] { return thumbnails.settled() && thumbnails.names().size() == environmentNames().size() + 4; }));
+  ui().frames(4);
+  for (const char* name : {"studio", "sky", "furnace", "none", "dusk.hdr", "broken.hdr"})
+    EXPECT_TRUE(ui().has("Scene/environment:" + std::string(name))) << name;
+  EXPECT_FALSE(ui().has("Scene/environment:notes.txt"));
+  EXPECT_TRUE(ui().has("Scene/broken:broken.hdr"));
+  EXPECT_FALSE(ui().has("Scene/broken:dusk.hdr"));
+  const auto broken = thumbnails.find((files / "broken.hdr").string());
+  ASSERT_TRUE(broken);
+  EXPECT_NE(broken->fault.find("truncated"), std::string::npos) << broken->fault;
+  EXPECT_NE(thumbnails.find((files / "square.pfm").string())->notes.find("64 x 64"), std::string::npos);
+  // However dark the picture and bright its sun, it is seen.
+  const auto seen = thumbnails.find((files / "dusk.hdr").string());
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->inFile.width, 512);
+  double mean = 0;
+  for (const uint8_t v : seen->picture.data) mean += double(v) / double(seen->picture.data.size());
+  EXPECT_GT(mean, 70);
+  EXPECT_LT(mean, 180);
+  ui().move(ui().at("Scene/environment:broken.hdr"));
+  ui().frames(4);
+  EXPECT_TRUE(writeImage8(folder() / "environments-broken.png", ui().screenshot()).empty());
+  ui().move(ui().at("Scene/environment:dusk.hdr"));
+  ui().frames(4);
+  EXPECT_TRUE(writeImage8(folder() / "environments.png", ui().screenshot()).empty());
+
+  // One that cannot be read is not chosen; another is, as one step.
+  ui().click("Scene/environment:broken.hdr");
+  EXPECT_EQ(document().steps().size(), steps);
+  ui().click("Scene/environment:sky");
+  ui().frames(2);
+  EXPECT_EQ(document().preview().environment, "sky");
+  EXPECT_EQ(document().steps().size(), steps + 1);
+  EXPECT_FALSE(ui().has("Scene/environment:sky")) << "the list is closed";
+  ui().key(Key::Z, kControl);
+  EXPECT_EQ(fs::path(document().preview().environment).filename(), "dusk.hdr");
+  // Its folder is offered again, whatever is shown then.
+  EXPECT_EQ(fs::path(ui().editor().session().environmentFolder).filename(), "environments");
+  begin();
 }
 
 TEST(Journal, KeepsWhatACrashWouldTake) {
