@@ -303,8 +303,10 @@ class Examination {
     LawResult& law = result(Law::MirrorLimit);
     law.value = sum.specular.g;
     law.where = at(query[0]);
+    // One without a D counts where it follows F0, as a mirror does.
+    const bool mirrors = hasD_ || sum.specular.g - sum.specularBlack.g > 0.1;
     // A coat keeps some of the light from what is below it.
-    if (hasD_ && !model_.definesCoat && sum.specular.g < 1 - kMirror) {
+    if (mirrors && !model_.definesCoat && sum.specular.g < 1 - kMirror) {
       law.verdict = Verdict::Amber;
       law.reason = fmt::format("a white mirror reflects only {:.4g} of what it receives", sum.specular.g);
       law.hint = "check the factors of D and V: V is G / (4 NoL NoV), D has its 1/pi";

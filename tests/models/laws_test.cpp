@@ -109,6 +109,14 @@ TEST_F(Laws, WrongFactorInD) {
               testing::HasSubstr("D integrates to 0.98"));
 }
 
+// A specular part without a D of its own that loses a factor.
+TEST_F(Laws, WrongFactorInAWholeSpecularPart) {
+  const auto specular = [](const std::string& factor) { return verdict("{}", "vec3 specular(Shading s, Parameters p) { return s.F0 * (D_GGX(s) * V_SmithGGX(s)" + factor + "); }"); };
+  EXPECT_EQ(specular(""), "");
+  EXPECT_THAT(specular(" / kPi"), testing::HasSubstr("amber: a white mirror reflects only 0.31"));
+  EXPECT_EQ(verdict("{}", "vec3 specular(Shading s, Parameters p) { return vec3(0.05); }"), "") << "follows no F0";
+}
+
 TEST_F(Laws, VisibilityWithoutItsQuarter) {
   EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return 4.0 * V_SmithGGX(s); }"),
               testing::HasSubstr("gains energy against its claim"));
