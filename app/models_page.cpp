@@ -70,10 +70,19 @@ std::string section(const ShadingModel& model, const ModelHealth& card) {
   return text + "\n";
 }
 
+// Of one that cannot be drawn: what is wrong, all of it.
+std::string section(const ModelHealth& card) {
+  std::string text = fmt::format("## {}\n\n{} **{}**: cannot be used\n\n", plain(card.model), mark(card.verdict()), name(card.verdict()));
+  for (const LawResult& law : card.laws)
+    text += fmt::format("- {}: {}{}\n", plain(law.where), plain(law.reason), law.hint.empty() ? "" : "; " + plain(law.hint));
+  return text + "\n";
+}
+
 }  // namespace
 
 Result<ModelsPage> modelsPage(Renderer& renderer, Libraries& libraries, const std::vector<ModelPtr>& models,
-                              const std::map<std::string, ModelHealth>& cards, const std::string& command) {
+                              const std::map<std::string, ModelHealth>& cards,
+                              const std::vector<ModelHealth>& unusable, const std::string& command) {
   const auto studio = loadEnvironment("studio");
   if (!studio) return studio.diagnostics();
   Scene stage;
@@ -113,6 +122,10 @@ Result<ModelsPage> modelsPage(Renderer& renderer, Libraries& libraries, const st
     for (const View& view : views) row.cells.push_back(cutCell(picture, view.rectangle));
     page.pictures.emplace(model.id, comparisonSheet(std::span(&row, 1), labels));
     log::progress("drawing " + model.id, double(i + 1) / double(models.size()));
+  }
+  for (const ModelHealth& card : unusable) {
+    page.text += fmt::format("| {} | {} | | {} |\n", mark(card.verdict()), plain(card.model), plain(card.reason()));
+    sections += section(card);
   }
   page.text += "\n" + sections;
   page.text.pop_back();

@@ -18,8 +18,9 @@ struct ModelsPage {
   std::map<std::string, Image8> pictures;      // by the model's id
 };
 
-// `command` is what the page says it was written by. Errors: of the renderer.
+// Of models that can be drawn, with a card for each id, and of files that cannot, as cards without a picture. `command` is
+// what the page says it was written by. Errors: of the renderer.
 Result<ModelsPage> modelsPage(Renderer&, Libraries&, const std::vector<ModelPtr>&, const std::map<std::string, ModelHealth>& cards,
-                              const std::string& command);
+                              const std::vector<ModelHealth>& unusable, const std::string& command);
 
 }  // namespace glint

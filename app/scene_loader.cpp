@@ -26,13 +26,6 @@ bool isGltf(const std::string& name) {
 
 }  // namespace
 
-Diagnostics Libraries::warnings() const {
-  Diagnostics found;
-  std::copy_if(models.problems().begin(), models.problems().end(), std::back_inserter(found),
-               [](const Diagnostic& d) { return d.severity == Severity::Warning; });
-  return found;
-}
-
 Result<ModelPtr> Libraries::namedModel(const std::string& idOrFile, const std::string& place) const {
   if (!isModelFile(idOrFile)) return model(idOrFile, place);
   Diagnostics warnings;

@@ -25,8 +25,6 @@ struct Libraries {
   TextureCache textures;
 
   MaterialSources sources() { return {nodes, functions, textures}; }
-  // Models that another file keeps from being used: worth saying whatever is drawn.
-  Diagnostics warnings() const;
   // A model as a user names it: by id, as a mix, or by the path of its file. `place` is the option that named it.
   Result<ModelPtr> namedModel(const std::string& idOrFile, const std::string& place) const;
   // An unknown id names the nearest; when files of models are broken, their errors come with it.

@@ -357,6 +357,8 @@ void checkBody(const GlslScan& scan, const std::string& file, int headLine, cons
   if (!model.definesDiffuse && model.termDiffuse.empty()) model.termDiffuse = "Lambert";
   model.usesTangent = reads(scan, library, model, {"T", "B"});
   model.usesPlainNonmetal = reads(scan, library, model, {"plainNonmetal"});
+  for (const char* attribute : {"baseColor", "metallic", "specular"})
+    if (reads(scan, library, model, {attribute})) model.authored.emplace_back(attribute);
   checkOwnSmith(scan, file, head, model, problems);
 }
 

@@ -83,6 +83,8 @@ struct ShadingModel {
   std::string tangentRotation;
   bool usesTangent = false;              // reads s.T or s.B, itself or through a term
   bool usesPlainNonmetal = false;        // likewise s.plainNonmetal
+  // Those of baseColor, metallic and specular that it reads as they were authored, not only as the colours made of them.
+  std::vector<std::string> authored;
   std::vector<std::string> prepared;     // members of `Parameters` that its prepare() fills
   struct Claims {
     bool reciprocal = false;        // f(l, v) = f(v, l)

@@ -198,6 +198,12 @@ Result<ModelPtr> ModelRegistry::named(const std::string& idOrFile, Diagnostics* 
       .first->second;
 }
 
+Diagnostics ModelRegistry::warnings() const {
+  Diagnostics found;
+  std::copy_if(problems_.begin(), problems_.end(), std::back_inserter(found), [](const Diagnostic& d) { return d.severity == Severity::Warning; });
+  return found;
+}
+
 std::vector<ModelPtr> ModelRegistry::all() const {
   std::vector<ModelPtr> result;
   for (const auto& [id, model] : models_) result.push_back(model);

@@ -40,6 +40,8 @@ class ModelRegistry {
   // What is wrong with the files as they are now: errors, whose file has no model or keeps its last good one, and
   // warnings.
   const Diagnostics& problems() const { return problems_; }
+  // Those that are warnings: worth saying whatever is done with a model.
+  Diagnostics warnings() const;
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
   // Looks at the folders again (cheap: times and sizes first). True when any model or problem changed.

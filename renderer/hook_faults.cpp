@@ -16,16 +16,11 @@ struct Hook {
   bool bounded;                // at most 1: a share of the light
 };
 
-// With attributes over their whole range, and every other light from behind.
+// With the colours made of the attributes, and every other light from behind.
 std::vector<ProbePoint> withAttributes(std::vector<ProbePoint> points) {
-  constexpr float kEnds[] = {0, 1, 0.5f};
   for (size_t i = 0; i < points.size(); ++i) {
-    ProbePoint& p = points[i];
-    p.fromAttributes = true;
-    p.baseColor = glm::vec3(kEnds[i % 3], kEnds[i / 3 % 3], 1);
-    p.metallic = kEnds[i / 2 % 3];
-    p.specular = kEnds[i / 5 % 3];
-    if (i / 2 % 2) p.light.z = -p.light.z;
+    points[i].fromAttributes = true;
+    if (i / 2 % 2) points[i].light.z = -points[i].light.z;
   }
   return points;
 }

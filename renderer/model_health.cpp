@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -24,7 +25,7 @@ namespace {
 using std::numbers::pi;
 
 // Single precision and quadrature stay below these, see tests/models/numbers_test.cpp.
-constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03, kFurnace = 5e-3;
+constexpr double kReciprocal = 1e-3, kNormalised = 5e-3, kEnergy = 3e-3, kMirror = 0.03, kWhite = 0.9, kFurnace = 5e-3;
 constexpr float kMirrorRoughness = 0.1f;
 
 const std::vector<float> kFineRoughness = {0.05f, 0.1f, 0.15f, 0.2f, 0.25f, 0.3f, 0.35f, 0.4f, 0.45f, 0.5f,
@@ -77,6 +78,7 @@ class Examination {
     if (stopped()) return;
     sampler(*probe);
     for (const ModelParameter& p : model_.parameters) {
+      if (p.minimum == p.maximum) continue;
       for (const float end : {p.minimum, p.maximum}) {
         Value value = p.standard;
         value.v.fill(end);
@@ -111,11 +113,18 @@ class Examination {
     return model_.reads("roughness") ? fmt::format("roughness {:.3g}, ", roughness) : "";
   }
   std::string at(const ProbePoint& p) const {
-    return fmt::format("{}NoL {:.4g}, NoV {:.4g}{}{}", roughnessText(p.roughness), p.light.z, p.view.z,
-                       model_.isWhole() ? "" : fmt::format(", F0 {:.2g}", p.F0.g), p.ownParameters ? parametersText(model_, p, constants_) : setting_);
+    return fmt::format("{}NoL {:.4g}, NoV {:.4g}{}{}", roughnessText(p.roughness), p.light.z, p.view.z, attributesText(model_, p), p.ownParameters ? parametersText(model_, p, constants_) : setting_);
   }
   std::string at(const IntegralQuery& q) const {
-    return fmt::format("{}NoV {:.3g}{}{}{}", roughnessText(q.roughness), q.NoV,
+    ProbePoint point;
+    point.F0 = q.F0;
+    if (q.authored) {
+      point.baseColor = q.authored->baseColor;
+      point.metallic = q.authored->metallic;
+      point.specular = q.authored->specular;
+      point.plainNonmetal = q.authored->plainNonmetal;
+    }
+    return fmt::format("{}NoV {:.3g}{}{}{}{}", roughnessText(q.roughness), q.NoV, q.authored ? attributesText(model_, point) : "",
                        q.azimuth == 0 ? "" : fmt::format(", {:.3g} degrees from the tangent", static_cast<double>(q.azimuth) / pi * 180),
                        q.analyticLight ? "" : ", under an environment", setting_);
   }
@@ -135,12 +144,12 @@ class Examination {
     const auto faulty = [](const glm::vec4& v) { return isFault(v.r) || isFault(v.g) || isFault(v.b); };
     std::vector<std::pair<bool, std::string>> parts = {
         {isFault(out[0].w), "D"}, {isFault(out[1].w), "V"}, {faulty(out[2]), "F"}, {faulty(out[1]), "diffuse"}, {faulty(out[3]), "scattered"}};
-    if (model_.definesCoat)
-      if (auto coated = ModelProbe::ofHooks(model_)) {
-        if (!setting_.empty()) coated->set(end_.first, end_.second);
-        const std::vector<glm::vec4> of = constants_.empty() ? coated->evaluate(one) : coated->evaluate(one, constants_);
-        // Through a faulty coat also the diffuse part is.
-        parts.insert(parts.begin(), {{faulty(of[4]), "coat"}, {faulty(of[5]), "throughCoat"}});
+    if (model_.definesCoat || (model_.definesColors && point.fromAttributes))
+      if (auto hooks = ModelProbe::ofHooks(model_)) {
+        if (!setting_.empty()) hooks->set(end_.first, end_.second);
+        const std::vector<glm::vec4> of = constants_.empty() ? hooks->evaluate(one) : hooks->evaluate(one, constants_);
+        // What reflects with faulty colours is faulty too, and so is the diffuse part through a faulty coat.
+        parts.insert(parts.begin(), {{model_.definesColors && (faulty(of[0]) || faulty(of[1])), "colors"}, {faulty(of[4]), "coat"}, {faulty(of[5]), "throughCoat"}});
       }
     parts.emplace_back(faulty(out[0]), "specular");
     for (const auto& [bad, name] : parts) {
@@ -222,8 +231,8 @@ class Examination {
       law.verdict = fault.law == Law::Energy && !law.claimed ? Verdict::Amber : Verdict::Red;
       law.value = fault.value;
       const ProbePoint& p = fault.point;
-      law.where = fmt::format("{}:{}, {}NoL {:.4g}, NoV {:.4g}{}", (model_.sourceFile.empty() ? model_.file : model_.sourceFile).string(), fault.line,
-                              roughnessText(p.roughness), p.light.z, p.view.z, p.ownParameters ? parametersText(model_, p, fault.constants) : "");
+      law.where = fmt::format("{}:{}, {}NoL {:.4g}, NoV {:.4g}{}{}", (model_.sourceFile.empty() ? model_.file : model_.sourceFile).string(), fault.line,
+                              roughnessText(p.roughness), p.light.z, p.view.z, attributesText(model_, p), p.ownParameters ? parametersText(model_, p, fault.constants) : "");
       if (fault.law == Law::Finite) law.reason = fmt::format("is not finite, because of {}", fault.function);
       else if (fault.law == Law::NonNegative) law.reason = fmt::format("is negative, {:.4g}, because of {}", fault.value, fault.function);
       else law.reason = fmt::format("gains energy{}: {} gives {:.4g}, more than all light", law.claimed ? " against its claim" : "", fault.function, fault.value);
@@ -243,6 +252,10 @@ class Examination {
     if (model_.reads("roughness"))
       for (int i = 0; i < between; ++i)
         ask(roughness.front() + (1 - roughness.front()) * (float(i) + 0.5f) / float(between), NoV[size_t(i * 7) % NoV.size()], true);
+    if (between > 0) {
+      const std::vector<IntegralQuery> authored = authoredQueries(model_, roughness, NoV, between);
+      queries.insert(queries.end(), authored.begin(), authored.end());
+    }
     for (const bool light : {true, false})
       for (const float r : model_.reads("roughness") ? roughness : std::vector{0.5f})
         for (const float v : NoV) ask(r, v, light);
@@ -254,7 +267,7 @@ class Examination {
     law.claimed = model_.claims.energyConserving;
     for (size_t i = 0; i < sums.size(); ++i) {
       if (hasD_) distribution(sums[i].distribution, queries[i]);
-      if (followsF0) furnace(sums[i], queries[i]);
+      if (followsF0 && !queries[i].authored) furnace(sums[i], queries[i]);
       for (const auto& [part, albedo] : {std::pair{"specular", sums[i].specular}, {"diffuse", sums[i].diffuse}, {"scattered", sums[i].scattered}}) {
         const double most = std::max({albedo.r, albedo.g, albedo.b});
         if (!(most > law.value) || told(law)) continue;
@@ -276,7 +289,7 @@ class Examination {
     law.claimed = model_.compensate;
     if ((law.value != 0 && albedo >= law.value) || told(law)) return;
     law.value = albedo;
-    law.where = at(query);
+    law.where = at(query) + (model_.definesEnvironment ? ", of its f: a furnace shows its environment()" : "");
     if (!compensate_ || albedo >= 1 - kFurnace) return;
     law.verdict = law.claimed ? Verdict::Red : Verdict::Amber;
     law.reason = fmt::format("a compensated white surface keeps only {:.4f} of uniform light", albedo);
@@ -299,13 +312,13 @@ class Examination {
   void mirror(const ModelIntegrals& integrals) {
     const IntegralQuery query[] = {{kMirrorRoughness, 1.f, true}};
     const ModelIntegral sum = integrals.evaluate(query)[0];
-    const bool diffuseLost = sum.diffuse.g > 0 && sum.diffuse.g < 0.6;
+    // A coat keeps some of the light from what is below it.
+    const bool diffuseLost = !model_.definesCoat && sum.diffuse.g > 0 && sum.diffuse.g < kWhite;
     LawResult& law = result(Law::MirrorLimit);
     law.value = sum.specular.g;
     law.where = at(query[0]);
     // One without a D counts where it follows F0, as a mirror does.
     const bool mirrors = hasD_ || sum.specular.g - sum.specularBlack.g > 0.1;
-    // A coat keeps some of the light from what is below it.
     if (mirrors && !model_.definesCoat && sum.specular.g < 1 - kMirror) {
       law.verdict = Verdict::Amber;
       law.reason = fmt::format("a white mirror reflects only {:.4g} of what it receives", sum.specular.g);
@@ -391,6 +404,20 @@ ModelHealth unmeasurable(const std::string& model, const std::string& file, cons
   for (const Diagnostic& fault : faults)
     card.laws.push_back({.law = Law::Compiles, .verdict = Verdict::Red, .where = fault.place, .reason = fault.what, .hint = fault.hint});
   return card;
+}
+
+std::vector<ModelHealth> unusableModels(const ModelRegistry& registry, const std::string& id) {
+  std::map<std::string, Diagnostics> faults;  // by file
+  for (const Diagnostic& problem : registry.problems()) {
+    const auto hides = [&](const ModelPtr& model) {
+      return problem.place == fmt::format("{}:{}", model->file.string(), model->idLine) && (id.empty() || model->id == id);
+    };
+    const bool hidden = problem.severity == Severity::Warning && std::any_of(registry.hidden().begin(), registry.hidden().end(), hides);
+    if (hidden || (id.empty() && problem.severity == Severity::Error)) faults[problem.place.substr(0, problem.place.rfind(':'))].push_back(problem);
+  }
+  std::vector<ModelHealth> cards;
+  for (const auto& [file, ofFile] : faults) cards.push_back(unmeasurable(file, file, ofFile));
+  return cards;
 }
 
 ModelHealth checkHealth(const ShadingModel& model, bool compensate, const std::function<bool()>& stopped) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "materials/model.h"
+#include "materials/model_registry.h"
 
 namespace glint {
 
@@ -51,6 +51,10 @@ struct ModelHealth {
 
 // The card of a model that cannot be measured, for the faults that keep it from that: red.
 ModelHealth unmeasurable(const std::string& model, const std::string& file, const Diagnostics& faults);
+
+// Such cards of the registry's files that give no model to use: those that cannot be read, and those whose id another has,
+// which only lose to it when `id` is given and theirs.
+std::vector<ModelHealth> unusableModels(const ModelRegistry&, const std::string& id = {});
 
 // Needs a current context. GLSL that does not compile is a red card, with the plugin's own lines in `where`. With
 // `compensate` the model is measured with the lobe of further bounces (renderer/model_tables.h), as one whose head asks

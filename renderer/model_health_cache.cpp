@@ -23,7 +23,22 @@ uint64_t recipeHash() {
   return hash;
 }
 
-std::string textOf(const ModelHealth& card) {
+// Places in the model's files, which a card of the same text elsewhere has elsewhere: a sign stands for each.
+constexpr char kFile = '\1', kSourceFile = '\2';
+
+std::string withoutPath(const std::string& where, const ShadingModel& model) {
+  for (const auto& [sign, path] : {std::pair{kFile, model.file.string()}, {kSourceFile, model.sourceFile.string()}})
+    if (!path.empty() && where.starts_with(path + ":")) return sign + where.substr(path.size());
+  return where;
+}
+
+std::string withPath(const std::string& where, const ShadingModel& model) {
+  if (where.starts_with(kFile)) return model.file.string() + where.substr(1);
+  if (where.starts_with(kSourceFile)) return model.sourceFile.string() + where.substr(1);
+  return where;
+}
+
+std::string textOf(const ModelHealth& card, const ShadingModel& model) {
   Json laws = Json::array();
   for (const LawResult& law : card.laws) {
     Json one = Json::object();
@@ -31,7 +46,7 @@ std::string textOf(const ModelHealth& card) {
     one.set("verdict", Json::of(static_cast<int>(law.verdict)));
     one.set("claimed", Json::of(law.claimed));
     if (std::isfinite(law.value)) one.set("value", Json::of(law.value));
-    one.set("where", Json::of(law.where));
+    one.set("where", Json::of(withoutPath(law.where, model)));
     one.set("reason", Json::of(law.reason));
     one.set("hint", Json::of(law.hint));
     laws.push(std::move(one));
@@ -55,7 +70,7 @@ std::optional<ModelHealth> cardFrom(const std::string& text, const ShadingModel&
     if (!law || !verdict || !claimed || !where || !reason || !hint) return std::nullopt;
     if (!(law->number >= 0 && law->number < kLawCount && verdict->number >= 0 && verdict->number <= 2)) return std::nullopt;
     card.laws.push_back({.law = static_cast<Law>(law->number), .verdict = static_cast<Verdict>(verdict->number), .claimed = claimed->boolean,
-                         .value = value ? value->number : std::numeric_limits<double>::quiet_NaN(), .where = where->text,
+                         .value = value ? value->number : std::numeric_limits<double>::quiet_NaN(), .where = withPath(where->text, model),
                          .reason = reason->text, .hint = hint->text});
   }
   return card;
@@ -77,7 +92,7 @@ std::optional<ModelHealth> healthOf(const ShadingModel& model, const std::functi
   ModelHealth card = checkHealth(model, false, stopped);
   if (stopped && stopped()) return std::nullopt;
   const LawResult* compiles = card.find(Law::Compiles);
-  if (compiles && compiles->verdict == Verdict::Green) writeCache(kKind, healthKey(model), textOf(card));
+  if (compiles && compiles->verdict == Verdict::Green) writeCache(kKind, healthKey(model), textOf(card, model));
   return card;
 }
 

@@ -21,7 +21,7 @@ double largest(const glm::vec4& v) { return std::max({v.r, v.g, v.b}); }
 
 // As that shader's.
 struct DeviceQuery {
-  glm::vec4 roughnessNoVLightAzimuth, slots, F0Aspect, diffuse;
+  glm::vec4 roughnessNoVLightAzimuth, slots, F0Aspect, diffuseAuthored, baseColorMetallic, specular;
 };
 
 }  // namespace
@@ -96,7 +96,9 @@ std::vector<ModelIntegrals::Sums> ModelIntegrals::sums(std::span<const IntegralQ
       packed.push_back({{q.roughness, q.NoV, q.analyticLight ? 1.f : 0.f, q.azimuth},
                         {slots[0], slots[1], slots[2], slots[3]},
                         {q.F0, aspects[begin + i]},
-                        {q.diffuseColor, 0}});
+                        {q.diffuseColor, !q.authored ? 0.f : q.authored->plainNonmetal ? 2.f : 1.f},
+                        q.authored ? glm::vec4(q.authored->baseColor, q.authored->metallic) : glm::vec4(0),
+                        q.authored ? glm::vec4(q.authored->specular, 0, 0, 0) : glm::vec4(0)});
     }
     const auto part = std::span(sums).subspan(begin * polarNodes.size(), batch.size() * polarNodes.size());
     const gl::Buffer in = gl::createBuffer(std::as_bytes(std::span(packed))), out = gl::createBuffer(std::as_bytes(part));

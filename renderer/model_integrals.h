@@ -19,6 +19,14 @@ struct IntegralQuery {
   glm::vec3 diffuseColor{1};
   glm::vec3 F0{1};             // of ModelIntegral::specular
   float azimuth = 0;           // of the view against the tangent, in radians, for models that use it
+  // As authored, for models that read them beside the two colours above. Without, a white metal for the specular part and
+  // a white nonmetal for the diffuse one.
+  struct Authored {
+    glm::vec3 baseColor{1};
+    float metallic = 0, specular = 0.5f;
+    bool plainNonmetal = false;
+  };
+  std::optional<Authored> authored = {};
 };
 
 // Of one query.

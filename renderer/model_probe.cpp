@@ -46,8 +46,8 @@ Shading shadingAt(Point p) {
   s.baseColor = p.base.xyz;
   s.metallic = p.F0.w;
   s.specular = p.diffuse.w;
-  s.analyticLight = p.more.w != 0.0;
-  s.plainNonmetal = false;
+  s.analyticLight = (int(p.more.w) & 1) != 0;
+  s.plainNonmetal = (int(p.more.w) & 2) != 0;
   return s;
 }
 )";
@@ -65,7 +65,7 @@ constexpr const char* kPrepareGlsl = R"(
 
 GpuPoint pack(const ProbePoint& p) {
   return {{p.NoL, p.NoV, p.NoH, p.VoH},
-          {p.LoV, p.sinH2, p.roughness, p.analyticLight ? 1.f : 0.f},
+          {p.LoV, p.sinH2, p.roughness, static_cast<float>((p.analyticLight ? 1 : 0) | (p.plainNonmetal ? 2 : 0))},
           {p.F0, p.metallic},
           {p.diffuseColor, p.specular},
           {p.baseColor, p.fromAttributes ? 1.f : 0.f},

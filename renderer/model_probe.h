@@ -23,6 +23,7 @@ struct ProbePoint {
   glm::vec3 F0{0.04f}, diffuseColor{0.8f}, baseColor{0.8f};
   float metallic = 0, specular = 0.5f;
   bool analyticLight = true;
+  bool plainNonmetal = false;                // metallic and specular unconnected, as in shading.glsl
   glm::vec4 a{0}, b{0};                      // arguments of expressions
   // Of a model: its per-pixel parameters are `a`, as where a material varies them, instead of the probe's own.
   bool ownParameters = false;

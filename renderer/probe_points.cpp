@@ -43,6 +43,21 @@ float drawn(const ModelParameter& p, uint64_t point, uint64_t component) {
   return static_cast<float>(x);
 }
 
+// Attributes as a material may author them, a quarter of them at either end of their range. Where the model reads them, the
+// two colours follow from them at every other point.
+void author(const ShadingModel& model, uint64_t i, ProbePoint& p) {
+  const auto share = [&](uint64_t which) { return static_cast<float>(std::clamp(2 * hashed(i, which) - 0.5, 0.0, 1.0)); };
+  p.baseColor = {share(16), share(17), share(18)};
+  p.metallic = share(19);
+  p.specular = share(20);
+  p.fromAttributes = (model.definesColors || !model.authored.empty()) && hashed(i, 21) < 0.5;
+  p.plainNonmetal = model.usesPlainNonmetal && hashed(i, 22) < 0.25;
+  if (!p.plainNonmetal) return;
+  p.metallic = 0;
+  p.specular = 0.5f;
+  p.fromAttributes = true;
+}
+
 // Light and view of a point: even in both angles to the normal, or by turns in the half vector's angles, where narrow lobes
 // are.
 void addScattered(const ShadingModel& model, uint64_t i, ProbePoint p, std::vector<ProbePoint>& points) {
@@ -54,6 +69,7 @@ void addScattered(const ShadingModel& model, uint64_t i, ProbePoint p, std::vect
   const float colors[] = {0, 0.04f, 1, static_cast<float>(hashed(i, 0))};
   p.F0 = glm::vec3(readsColors(model) ? colors[static_cast<size_t>(4 * hashed(i, 1))] : 0.04f);
   p.analyticLight = hashed(i, 2) < 0.5;
+  author(model, i, p);
   const double turn = model.usesTangent ? 2 * pi * hashed(i, 3) : 0;
   if (i % 2) return addBothWays(p, direction(std::cos(0.5 * pi * u[1]), turn + 2 * pi * u[3]), direction(std::cos(0.5 * pi * u[2]), turn), points);
   const glm::dvec3 half = direction(std::cos(0.5 * pi * u[1] * u[1]), turn);
@@ -114,6 +130,38 @@ std::vector<ScatteredPoints> scatteredPoints(const ShadingModel& model) {
     groups.push_back(std::move(group));
   }
   return groups;
+}
+
+std::vector<IntegralQuery> authoredQueries(const ShadingModel& model, const std::vector<float>& roughness, const std::vector<float>& NoV, int count) {
+  std::vector<IntegralQuery> queries;
+  const std::vector<std::string>& own = model.authored;
+  const auto ask = [&](const IntegralQuery::Authored& authored) {
+    const size_t i = queries.size();
+    queries.push_back({.roughness = model.reads("roughness") ? roughness[i * 3 % roughness.size()] : 0.5f, .NoV = NoV[i * 7 % NoV.size()],
+                       .analyticLight = i % 2 == 0, .authored = authored});
+  };
+  // One by turns from one end to the other, against the rest of them.
+  for (int i = 0; i < count && !own.empty(); ++i) {
+    const float step = static_cast<float>(i) / static_cast<float>(count - 1);
+    const auto share = [&](const char* attribute, float standard) {
+      return std::find(own.begin(), own.end(), attribute) == own.end() ? standard : attribute == own[static_cast<size_t>(i) % own.size()] ? step : 1 - step;
+    };
+    ask({glm::vec3(share("baseColor", 1)), share("metallic", 0), share("specular", 0.5f), false});
+  }
+  for (size_t i = 0; i < roughness.size() && model.usesPlainNonmetal; ++i) ask({glm::vec3(1), 0, 0.5f, true});
+  return queries;
+}
+
+std::string attributesText(const ShadingModel& model, const ProbePoint& p) {
+  if (p.plainNonmetal) return fmt::format(", metallic and specular unconnected, baseColor {:.3g}/{:.3g}/{:.3g}", p.baseColor.r, p.baseColor.g, p.baseColor.b);
+  std::string text = p.fromAttributes || model.isWhole() ? "" : fmt::format(", F0 {:.2g}", p.F0.g);
+  const auto tells = [&](const char* attribute) {
+    return p.fromAttributes || std::find(model.authored.begin(), model.authored.end(), attribute) != model.authored.end();
+  };
+  if (tells("metallic")) text += fmt::format(", metallic {:.3g}", p.metallic);
+  if (tells("specular")) text += fmt::format(", specular {:.3g}", p.specular);
+  if (tells("baseColor")) text += fmt::format(", baseColor {:.3g}/{:.3g}/{:.3g}", p.baseColor.r, p.baseColor.g, p.baseColor.b);
+  return text;
 }
 
 std::string parametersText(const ShadingModel& model, const ProbePoint& point, const std::vector<glm::vec4>& constants) {

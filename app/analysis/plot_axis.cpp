@@ -28,6 +28,13 @@ std::string plain(double value, double step) {
   return withMinus(fmt::format("{:.{}f}", value, decimals));
 }
 
+// With raised powers where digits would not be read.
+std::string readableTick(double value, double step, double largest) {
+  const int power = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+  if (value == 0 || (largest < 99999 && step > 9e-6)) return plain(value, step);
+  return withMinus(fmt::format("{:g}\u00b710^{{{}}}", std::round(value / std::pow(10.0, power) * 1e6) / 1e6, power));
+}
+
 std::string powerOfTen(int exponent) {
   if (exponent >= -3 && exponent <= 4) return fmt::format("{:g}", std::pow(10.0, exponent));
   return withMinus(fmt::format("10^{{{}}}", exponent));
@@ -90,7 +97,7 @@ std::vector<PlotTick> PlotAxis::ticks(int count) const {
   const bool degrees = scale == PlotScale::Degrees;
   const double step = degrees ? degreeStep((high - low) / count) : roundStep((high - low) / count);
   for (double i = std::ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i) {
-    std::string label = plain(i * step, step);
+    std::string label = readableTick(i * step, step, std::max(std::abs(low), std::abs(high)));
     ticks.push_back({i * step, degrees ? label + "\u00b0" : label});
   }
   return ticks;

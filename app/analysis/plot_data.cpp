@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/analysis/plot_axis.h"
+
 namespace glint {
 namespace {
 
@@ -316,6 +318,30 @@ void noteGaps(PlotData& data) {
   }
 }
 
+// A curve a hundred times as high as any other would press them all to the axis: it is cut off, and said so.
+void limitTop(PlotData& data) {
+  constexpr double kMost = 100;
+  const PlotSettings& s = data.settings;
+  if (s.log || s.most || data.curves.size() < 2) return;
+  std::vector<std::pair<double, const PlotCurve*>> peaks;
+  for (const PlotCurve& curve : data.curves) {
+    double peak = 0;
+    for (const double y : curve.y)
+      if (std::isfinite(y)) peak = std::max(peak, y);
+    if (peak > 0) peaks.emplace_back(peak, &curve);
+  }
+  std::sort(peaks.begin(), peaks.end());
+  for (size_t i = 1; i < peaks.size(); ++i) {
+    if (peaks[i].first < kMost * peaks[i - 1].first) continue;
+    data.top = peaks[i - 1].first;
+    const PlotCurve& highest = *peaks.back().second;
+    const std::string& variant = data.variants[highest.variant];
+    data.notes.push_back(fmt::format("{}{}{} reaches {}: cut off; max= or log=1 shows it", data.titles[highest.subject], variant.empty() ? "" : ", ", variant,
+                                     readable(peaks.back().first)));
+    return;
+  }
+}
+
 }  // namespace
 
 bool isPlotRoughness(const ShadingModel& model, const ModelParameter& parameter) {
@@ -428,6 +454,7 @@ std::optional<PlotData> PlotComputer::compute(const PlotSettings& settings, cons
   mergeGreyChannels(data, variants);
   for (const Variant& v : variants) data.variants.push_back(v.title);
   noteGaps(data);
+  limitTop(data);
   return data;
 }
 

@@ -47,6 +47,7 @@ struct PlotData {
   std::vector<PlotCurve> curves;
   std::vector<PlotSlice> slices;
   glm::vec3 F0{0}, diffuseColor{0};                   // of the surface
+  std::optional<double> top;                          // of the value's axis, where a curve beyond it would flatten all others
   std::vector<std::string> notes;                     // what is left out, and why
   Diagnostics problems;                               // models that do not compile: their curves are missing
 };

@@ -36,6 +36,7 @@ PlotAxis wholeY(const PlotData& data) {
       if (y > 0) least = std::min(least, y);
     }
   if (!(low <= high)) low = 0, high = least = 1;
+  if (data.top) high = std::min(high, *data.top);
   if (s.most) high = *s.most;
   if (s.kind == PlotKind::Polar) {
     PlotAxis axis = s.most ? PlotAxis{0, high, PlotScale::Linear} : roundAxis(0, high, PlotScale::Linear, 4);

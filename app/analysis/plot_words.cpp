@@ -76,7 +76,8 @@ std::string yTitle(const PlotSettings& s) {
     case PlotKind::V: return "V";
     case PlotKind::F: return "F";
     case PlotKind::Albedo: return "albedo";
-    default: return fmt::format("{}f{}, 1/sr", partWord(s), s.cosine ? " cos \u03b8_{l}" : "");
+    default: return fmt::format("{}f{}, 1/sr{}", partWord(s), s.cosine ? " cos \u03b8_{l}" : "",
+                                s.kind == PlotKind::Polar && s.log ? ", drawn as log(1 + it)" : "");
   }
 }
 

@@ -344,7 +344,7 @@ int run(const Arguments& arguments) {
     plan->scene.render.backgroundColor = glm::vec3(0.0176f);  // the sheet's own ground: a dark grey that black stands out from
   }
   Libraries libraries(arguments.modelFolders);
-  log::report(libraries.warnings());
+  log::report(libraries.models.warnings());
   log::report(tonemapWarning(arguments, plan->output, plan->kind));
   Diagnostics problems, warnings;
   Axes axes;

@@ -208,7 +208,7 @@ ordered_json documentOf(const Plan& plan, const PlotData& data) {
 
 int plotComparison(const Arguments& arguments, const Result<std::vector<ModelChoice>>& models) {
   const Libraries libraries(arguments.modelFolders);
-  log::report(libraries.warnings());
+  log::report(libraries.models.warnings());
   const auto plan = parsePlan(arguments, models, libraries);
   if (!plan) return badInput(plan.diagnostics());
   auto context = gl::Context::create({.backend = arguments.backend});

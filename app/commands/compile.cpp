@@ -85,6 +85,7 @@ int run(const Arguments& arguments) {
   const NodeRegistry nodes;
   const FunctionLibrary functions;
   const ModelRegistry models(arguments.modelFolders);
+  log::report(models.warnings());
   if (!nodes.problems().empty()) return badInput(nodes.problems());
   Diagnostics warnings;
   auto material = loadMaterial(arguments.get("material"), nodes, &warnings);

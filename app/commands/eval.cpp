@@ -208,6 +208,7 @@ int run(const Arguments& arguments) {
   if (!output.empty())
     if (const Diagnostics problems = checkOutput(output, "--output", "list of values", {".json"}); !problems.empty()) return badInput(problems);
   const ModelRegistry registry(arguments.modelFolders);
+  log::report(registry.warnings());
   const auto work = readWork(file, registry);
   if (!work) return badInput(work.diagnostics());
   auto context = gl::Context::create({.backend = arguments.backend});

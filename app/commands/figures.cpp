@@ -258,7 +258,7 @@ int run(const Arguments& arguments) {
   const auto plan = parsePlan(arguments);
   if (!plan) return badInput(plan.diagnostics());
   Libraries libraries(arguments.modelFolders);
-  log::report(libraries.warnings());
+  log::report(libraries.models.warnings());
   auto context = gl::Context::create({.backend = arguments.backend});
   if (!context) {
     log::report(context.diagnostics());

@@ -127,7 +127,11 @@ Diagnostics writePage(const Arguments& arguments, const gl::Context& context, Re
                       const Examined& found) {
   namespace fs = std::filesystem;
   const fs::path folder = arguments.get("page"), pictures = folder / "pictures";
-  const auto page = modelsPage(renderer, libraries, found.sound, found.cards, "glint models --page " + folder.generic_string());
+  std::vector<ModelHealth> unusable;
+  if (arguments.all("models").empty()) unusable = unusableModels(libraries.models);
+  for (const auto& [id, card] : found.cards)
+    if (std::none_of(found.sound.begin(), found.sound.end(), [&, wanted = std::string_view(id)](const ModelPtr& m) { return m->id == wanted; })) unusable.push_back(card);
+  const auto page = modelsPage(renderer, libraries, found.sound, found.cards, unusable, "glint models --page " + folder.generic_string());
   if (!page) return page.diagnostics();
   std::error_code code;
   fs::create_directories(pictures, code);

@@ -44,7 +44,7 @@ int run(const Arguments& arguments) {
   if (!problems.empty()) return badInput(problems);
 
   Libraries libraries(arguments.modelFolders);
-  log::report(libraries.warnings());
+  log::report(libraries.models.warnings());
   log::report(tonemapWarning(arguments, output, *kind));
   auto scene = loadScene(*options, libraries, warnings);
   log::report(warnings);

@@ -6,8 +6,8 @@
 layout(local_size_x = 64) in;
 
 // values: roughness, NoV, 1 under a light and 0 under an environment, azimuth against the tangent; F0.w: how much wider
-// the lobe is along the bitangent.
-struct Query { vec4 values, slots, F0, diffuse; };
+// the lobe is along the bitangent; diffuse.w: 0 without authored attributes, 2 for those of a plain nonmetal.
+struct Query { vec4 values, slots, F0, diffuse, baseColorMetallic, authoredSpecular; };
 // f NoL for the query's F0 and for 0, for facets that reflect all, and of its diffuse; integrals of D in w; scattered over
 // all directions.
 struct Sums { vec4 specular, specularBlack, white, diffuse, scattered; };
@@ -61,12 +61,13 @@ void main() {
   vec2 across = normalize(vec2(-sinView, cosView / aspect));
   stretch = mat2(cosView, -sinView, sinView, cosView) * mat2(1.0, 0.0, 0.0, aspect) * mat2(across.y, -across.x, across.x, across.y);
 #endif
-  s.baseColor = vec3(1.0);
-  s.specular = 0.5;
-  s.metallic = 1.0;
+  bool authored = query.diffuse.w != 0.0;
+  s.baseColor = authored ? query.baseColorMetallic.rgb : vec3(1.0);
+  s.specular = authored ? query.authoredSpecular.x : 0.5;
+  s.metallic = authored ? query.baseColorMetallic.w : 1.0;
   colors(s, query.F0.rgb, vec3(1.0));
   s.analyticLight = query.values.z != 0.0;
-  s.plainNonmetal = false;
+  s.plainNonmetal = query.diffuse.w == 2.0;
   Parameters p = modelParameters(query.slots);
   modelPrepare(s, p);
 
@@ -127,7 +128,7 @@ void main() {
     sums.specular.w += D * node.z;
     sums.specularBlack.w += D * max(VoH, 0.0);
   }
-  s.metallic = 0.0;
+  if (!authored) s.metallic = 0.0;
   colors(s, vec3(0.04), query.diffuse.rgb);
   for (int j = 0; j < around.length(); ++j) {
     vec4 azimuth = around[j];

@@ -186,6 +186,19 @@ TEST_F(Plots, PolarPlotsNameTheirViews) {
   EXPECT_EQ(mirrors, 1);
 }
 
+// At the horizon f has no bound: the other curves keep the axis.
+TEST_F(Plots, OneCurveDoesNotFlattenTheOthers) {
+  const PlotData data = compute("polar:angle=0/45/90", {"ggx", "burley"});
+  ASSERT_TRUE(data.top);
+  EXPECT_GT(*data.top, 0.05);
+  EXPECT_LT(*data.top, 1);
+  ASSERT_EQ(data.notes.size(), 1u);
+  EXPECT_THAT(data.notes[0], testing::ContainsRegex("GGX .*90. reaches .*: cut off"));
+  EXPECT_FALSE(compute("polar:angle=0/45/90,log=1", {"ggx"}).top);
+  EXPECT_FALSE(compute("polar:angle=0/45/90,max=1000", {"ggx"}).top);
+  EXPECT_FALSE(compute("d:roughness=0.2/0.6", {"ggx"}).top);
+}
+
 TEST_F(Plots, AFaultOfAModelStopsNoOther) {
   const auto broken = parseModel("broken.glsl", "/*glint {\"id\": \"broken\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\nfloat x() { return y; }");
   ASSERT_TRUE(broken);
@@ -344,6 +357,7 @@ TEST(PlotAxes, TicksAreRound) {
   EXPECT_EQ(labels({0, 1, PlotScale::Linear}, 5), (std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
   EXPECT_EQ(labels({-90, 90, PlotScale::Degrees}, 7), (std::vector<std::string>{"\u221290\u00b0", "\u221260\u00b0", "\u221230\u00b0", "0\u00b0", "30\u00b0", "60\u00b0", "90\u00b0"}));
   EXPECT_EQ(labels({1e-5, 10, PlotScale::Log}, 8), (std::vector<std::string>{"10^{\u22125}", "10^{\u22124}", "0.001", "0.01", "0.1", "1", "10"}));
+  EXPECT_EQ(labels({0, 1.5e8, PlotScale::Linear}, 3), (std::vector<std::string>{"0", "5\u00b710^{7}", "1\u00b710^{8}", "1.5\u00b710^{8}"}));
   const PlotAxis axis = roundAxis(0, 39.3, PlotScale::Linear);
   EXPECT_EQ(axis.high, 40);
   EXPECT_NEAR(roundAxis(1e-9, 3, PlotScale::Log).low, 1e-5, 1e-15);

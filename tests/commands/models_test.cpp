@@ -68,6 +68,41 @@ TEST(ModelsCommand, WritesAPage) {
   EXPECT_EQ(pictures.size(), glint({"models", "--json"}).json()["models"].size());
 }
 
+// Files that give no model have a red row too, with all that is wrong.
+TEST(ModelsCommand, ThePageHasWhatCannotBeUsed) {
+  write("mine/other.glsl", "/*glint {\"id\": \"ggx\", \"terms\": {\"D\": \"Beckmann\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n");
+  write("mine/broken.glsl", "/*glint {\"id\": \"broken\", \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n"
+                            "float D(Shading s, Parameters p) { return s.nonsense; }\n");
+  write("mine/headless.glsl", "/*glint {\"id\": \"headless\", \"terms\": {\"D\": \"GXX\"}, \"parameters\": [{\"name\": \"float\", \"type\": \"float\"}]} */\n");
+  glint({"models", "--models-dir", "mine", "--page", "page", "--quiet"});
+  std::ifstream in(scratch() / "page/README.md");
+  const std::string page((std::istreambuf_iterator<char>(in)), {});
+  for (const char* row : {"| \u274c | mine/other.glsl | | its id 'ggx' is taken by", "| \u274c | mine/headless.glsl | |", "| \u274c | broken | |",
+                          "- mine/headless.glsl:1: terms: unknown D term 'GXX'", "- mine/headless.glsl:1: parameter 'float': the name is a reserved word", "- mine/broken.glsl:2: "})
+    EXPECT_THAT(page, HasSubstr(row));
+}
+
+// With the file that loses an id to another, and with values for parameters.
+TEST(VerifyCommand, TakesModelsAsTheyAreNamed) {
+  write("mine/one.glsl", "/*glint {\"id\": \"twin\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n");
+  write("mine/two.glsl", "/*glint {\"id\": \"twin\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n");
+  const auto twin = glint({"verify", "twin", "--models-dir", "mine"});
+  EXPECT_EQ(twin.code, 1);
+  EXPECT_THAT(twin.out, testing::AllOf(HasSubstr("green   twin"), HasSubstr("red     mine/two.glsl"), HasSubstr("its id 'twin' is taken by mine/one.glsl")));
+  EXPECT_EQ(glint({"verify", "ggx", "--models-dir", "mine"}).code, 0);
+
+  const auto mirror = [](const std::string& model) {
+    const nlohmann::json card = glint({"verify", model, "--json"}).json()["models"][0];
+    EXPECT_EQ(card["model"], model);
+    for (const auto& law : card["laws"])
+      if (law["law"] == "mirror limit") return law["value"].get<double>();
+    return 0.0;
+  };
+  EXPECT_NEAR(mirror("mobile"), 4 * mirror("mobile:quarter=1,fullyRough=0"), 1e-4);
+  EXPECT_BAD_INPUT(glint({"verify", "mobile:quart=1"}), "mobile:quart=1", "did you mean 'quarter'?");
+  EXPECT_BAD_INPUT(glint({"verify", "mobile:metallic=1"}), "mobile:metallic=1", "a card is of all attributes");
+}
+
 TEST(ModelsCommand, NamesProblemsAndListsTheRest) {
   write("mine/bad.glsl", "/*glint\n{\"id\": \"bad\",\n \"terms\": {\"D\": \"GXX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}}\n*/");
   const auto ran = glint({"models", "--models-dir", "mine"});

@@ -86,6 +86,12 @@ TEST_F(Laws, CardsAreKept) {
     EXPECT_EQ(std::tie(a.law, a.verdict, a.claimed, a.value, a.where, a.reason, a.hint),
               std::tie(b.law, b.verdict, b.claimed, b.value, b.where, b.reason, b.hint));
   }
+  // A fault's place is in the file that has it now.
+  const auto faulty = [](const char* file) { return *parseModel(file, "/*glint {\"id\": \"kept2\", \"terms\": {\"D\": \"GGX\", \"F\": \"Schlick\"}} */\nfloat V(Shading s, Parameters p) { return -1.0; }\n"); };
+  EXPECT_THAT(healthOf(faulty("here/kept2.glsl")).reason(), testing::HasSubstr("(here/kept2.glsl:2, "));
+  const auto moved = keptHealth(faulty("there/kept2.glsl"));
+  ASSERT_TRUE(moved);
+  EXPECT_THAT(moved->reason(), testing::HasSubstr("(there/kept2.glsl:2, "));
   const ShadingModel claiming = plugin("{\"energyConserving\": true}");
   EXPECT_NE(healthKey(claiming), healthKey(model));
   EXPECT_EQ(healthOf(claiming).verdict(), Verdict::Red);
@@ -149,6 +155,21 @@ TEST_F(Laws, FaultsInAWindow) {
               testing::ContainsRegex("red: is negative, -0.[0-9]+, because of diffuse \\(planted.glsl:2, roughness .*NoL 0.5.*NoV 0.8"));
   EXPECT_THAT(verdict(kVF, "float D(Shading s, Parameters p) { return s.sinH2 > 0.10 && s.sinH2 < 0.12 ? -1.0 : D_GGX(s); }"),
               testing::HasSubstr("because of D (planted.glsl:2"));
+}
+
+// Attributes that a model reads as they were authored, in a window of a hundredth, and unconnected ones.
+TEST_F(Laws, FaultsInAWindowOfAnAttribute) {
+  EXPECT_THAT(verdict(kVF, "float D(Shading s, Parameters p) { return D_GGX(s) / (s.metallic > 0.4 && s.metallic < 0.41 ? 0.0 : 1.0); }"),
+              testing::ContainsRegex("red: is not finite, because of D \\(planted.glsl:2, .*metallic 0.4"));
+  EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * (s.baseColor.g > 0.70 && s.baseColor.g < 0.71 ? -1.0 : 0.3); }"),
+              testing::ContainsRegex("red: is negative, .*because of diffuse \\(planted.glsl:2, .*baseColor .*/0.70?[0-9]*/"));
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) / (1.0 - s.specular); }"), testing::ContainsRegex("red: is not finite, .*specular 1"));
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return V_SmithGGX(s) * (s.metallic > 0.55 && s.metallic < 0.56 ? 2.0 : 1.0); }"),
+              testing::ContainsRegex("red: gains energy.*metallic 0.55"));
+  EXPECT_THAT(verdict(kDF, "float V(Shading s, Parameters p) { return s.plainNonmetal ? -1.0 : V_SmithGGX(s); }"),
+              testing::HasSubstr("metallic and specular unconnected"));
+  EXPECT_THAT(verdict(kDVF, "vec3 environment(Shading s, Parameters p) { return vec3(s.specular > 0.25 && s.specular < 0.26 ? -1.0 : 0.5); }"),
+              testing::ContainsRegex("red: is negative, -1, because of environment .*specular 0.2[56]"));
 }
 
 // The functions that are no part of f are judged too, with their lines.
@@ -219,6 +240,8 @@ TEST_F(Laws, FaultsWithinTheRangeOfAParameter) {
 TEST_F(Laws, DiffusePartCounts) {
   EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * 0.5; }"),
               testing::HasSubstr("the diffuse part reflects 1.57"));
+  EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * 0.8 / kPi; }"),
+              testing::HasSubstr("amber: a white diffuse surface reflects only 0.8 "));
 }
 
 TEST_F(Laws, OnlyClaimsBind) {
