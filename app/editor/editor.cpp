@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/keys.h"
+#include "app/editor/light_handles.h"
 #include "app/editor/model_row.h"
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
@@ -155,6 +156,7 @@ void Editor::frame(glm::ivec2 framebuffer, float deltaSeconds) {
   document_->hold(held);
   // What is selected may be gone after undo.
   std::erase_if(selection_, [&](const NodeId& id) { return !document_->material().node(id); });
+  if (std::exchange(lightsOf_, document_->identity()) != document_->identity() || selectedLight_ >= int(document_->preview().lights.size())) selectedLight_ = -1;
   wantCode_ = false;
   collectProblems();
   handleShortcuts();
@@ -237,6 +239,25 @@ void Editor::frameSubject() {
   orbit.target = shown().center;
   orbit.distance = shown().radius / std::sin(glm::radians(orbit.fov) / 2) * 1.02f;
   document_->setOrbit(orbit);
+}
+
+void Editor::frameLights() {
+  if (document_->preview().subject != Preview::Subject::Mesh) return;
+  frameSubject();
+  Orbit orbit = document_->preview().orbit;
+  orbit.distance = distanceToSee(document_->preview().lights, orbit.camera(shown().radius), glm::max(glm::vec2(viewportSize_), glm::vec2(8)), orbit.distance);
+  document_->setOrbit(orbit);
+}
+
+void Editor::selectLight(int index, bool reveal) {
+  selectedLight_ = index;
+  revealLight_ = reveal && index >= 0;
+  if (revealLight_ && layout_.shown("Scene") && !layout_.visible("Scene")) layout_.show("Scene");
+}
+
+void Editor::showLights(bool on) {
+  session_.lightGizmos = on;
+  storeSession();
 }
 
 void Editor::openFile(const fs::path& file) {

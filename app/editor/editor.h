@@ -82,11 +82,17 @@ class Editor {
   const gl::Context& context() const { return context_; }
 
   std::set<NodeId>& selection() { return selection_; }
+  // A light of the preview, by its place in the list; -1: none. `reveal` has the Scene panel bring it into view.
+  int selectedLight() const { return selectedLight_; }
+  void selectLight(int index, bool reveal = false);
+  bool takeRevealedLight() { return std::exchange(revealLight_, false); }
+  void showLights(bool);                      // in the viewport; remembered
   void setViewportSize(glm::ivec2 size) { viewportSize_ = size; }
   void wantCode() { wantCode_ = true; }
   // A node that was added somewhere else, for the graph to bring into view; asked for once.
   NodeId takeRevealed() { return std::exchange(revealed_, {}); }
   void frameSubject();                        // the camera goes where all of it is seen
+  void frameLights();                         // the same with all lights of a mesh's scene
   // Everything that is wrong now: models, nodes, the material, the scene, the last frame.
   const Diagnostics& problems() const { return problems_; }
   // A line in the status bar, for a few seconds; errors stay until the next.
@@ -159,6 +165,9 @@ class Editor {
 
   std::set<NodeId> selection_;
   NodeId revealed_;
+  int selectedLight_ = -1;
+  uint64_t lightsOf_ = 0;                            // the document it is one of
+  bool revealLight_ = false;
   glm::ivec2 viewportSize_{0};
   bool wantCode_ = false;
   std::string framedSubject_;

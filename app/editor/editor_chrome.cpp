@@ -98,6 +98,8 @@ void Editor::drawMenu() {
       }
       ImGui::Separator();
       if (item("Frame subject", "F")) frameSubject();
+      if (item("Frame lights", "Shift+F")) frameLights();
+      if (item("Lights in the viewport", "L", true, session_.lightGizmos)) showLights(!session_.lightGizmos);
       if (item("Reset layout")) layout_.reset();
       ImGui::EndMenu();
     }
@@ -270,6 +272,8 @@ void Editor::drawDialogs() {
         {"Move closer, field of view", "wheel (over a comparison: about the pointer), Ctrl+wheel"},
         {"Turn the environment", "Shift and right button, or Ctrl and left"},
         {"Frame the subject, the graph", "F over the viewport, F or Home over the graph"},
+        {"Frame lights, show or hide them", "Shift+F, L over the viewport"},
+        {"Move, aim, size a light", "click it, drag its handles; Shift: along one axis"},
         {"Add a node", "Tab, Space or a right click on the canvas; drop a wire"},
         {"Connect", "drag from pin to pin"},
         {"Disconnect", "Alt+click a pin or wire; Ctrl and right button cuts"},

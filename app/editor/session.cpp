@@ -25,6 +25,7 @@ Session Session::read(const std::filesystem::path& file) {
       if (item.isString() && session.recent.size() < 10) session.recent.push_back(item.text);
   if (const Json* folder = json->find("folder")) session.folder = folder->text;
   if (const Json* folder = json->find("environmentFolder"); folder && folder->isString()) session.environmentFolder = folder->text;
+  if (const Json* lights = json->find("lightGizmos"); lights && lights->isBool()) session.lightGizmos = lights->boolean;
   if (const Json* layout = json->find("layout")) session.layout = *layout;
   const Json *width = json->find("width"), *height = json->find("height");
   if (width && height && width->number >= 320 && width->number <= 16384 && height->number >= 240 && height->number <= 16384) {
@@ -40,6 +41,7 @@ Diagnostics Session::write(const std::filesystem::path& file) const {
   for (const std::string& one : recent) list.push(Json::of(one));
   json.set("folder", Json::of(folder));
   json.set("environmentFolder", Json::of(environmentFolder));
+  json.set("lightGizmos", Json::of(lightGizmos));
   json.set("width", Json::of(width));
   json.set("height", Json::of(height));
   json.set("layout", layout);

@@ -15,6 +15,7 @@ struct Session {
   std::string folder;                   // of the last file dialog
   std::string environmentFolder;        // whose environments are offered
   Json layout;                          // Layout::toJson(); null: the standard one
+  bool lightGizmos = true;              // lights are shown in the viewport
   int width = 1600, height = 960;       // of the window, in screen coordinates
 
   void addRecent(const std::filesystem::path&);

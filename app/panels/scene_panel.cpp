@@ -17,7 +17,10 @@ class ScenePanel final : public Panel {
   void draw(Editor& editor) override {
     const PanelBody body;
     if (ui::section("Environment")) environment(editor);
-    if (ui::section("Lights")) lights(editor);
+    // A light that was taken in the viewport is brought into view.
+    const bool reveal = editor.takeRevealedLight();
+    if (reveal) ImGui::SetNextItemOpen(true);
+    if (ui::section("Lights")) lights(editor, reveal);
     if (ui::section("Shadows and ground")) shadows(editor);
     if (ui::section("Picture")) picture(editor);
     if (ui::section("Comparison", false)) comparison(editor);
@@ -50,7 +53,7 @@ class ScenePanel final : public Panel {
     });
   }
 
-  static void lights(Editor& editor) {
+  static void lights(Editor& editor, bool reveal) {
     Document& document = editor.document();
     Preview preview = document.preview();
     int remove = -1, copy = -1, index = 0;
@@ -59,7 +62,13 @@ class ScenePanel final : public Panel {
       ImGui::PushID(index);
       ui::pushScope("light" + std::to_string(index));
       ImGui::AlignTextToFramePadding();
-      ui::textDim(fmt::format("{} {}", infoOf(light.kind).title, index + 1));
+      const bool selected = index == editor.selectedLight();
+      ImGui::PushStyleColor(ImGuiCol_Text, selected ? theme::kAccent : theme::kTextDim);
+      ImGui::TextUnformatted(fmt::format("{} {}", infoOf(light.kind).title, index + 1).c_str());
+      ImGui::PopStyleColor();
+      ui::mark("title");
+      if (ImGui::IsItemClicked()) editor.selectLight(selected ? -1 : index);
+      if (selected && reveal) ImGui::SetScrollHereY(0);
       ImGui::SameLine(ImGui::GetContentRegionAvail().x - theme::px(126));
       if (ui::button("Copy", false, theme::px(60))) copy = index;
       ImGui::SameLine();

@@ -8,6 +8,7 @@
 #include "app/editor/theme.h"
 #include "app/editor/ui.h"
 #include "app/health_text.h"
+#include "app/panels/light_gizmos.h"
 #include "app/panels/panel.h"
 #include "app/panels/row_labels.h"
 #include "materials/attributes.h"
@@ -34,6 +35,7 @@ class ViewportPanel final : public Panel {
   static void magnify(const FrameResult&, Orbit&, ImVec2 mouse, float factor);
   Drag drag_ = Drag::None;
   RowLabels rows_;
+  LightGizmos gizmos_;
 };
 
 void ViewportPanel::draw(Editor& editor) {
@@ -48,7 +50,8 @@ void ViewportPanel::draw(Editor& editor) {
   ui::mark("view");
   const bool hovered = ImGui::IsItemHovered();
   const bool taken = rows_.control(editor, hovered && editor.shown().comparison);
-  control(editor, low, size, hovered && !taken);
+  const bool light = gizmos_.draw(editor, low, size, hovered);
+  control(editor, low, size, hovered && !taken && !light);
 }
 
 void ViewportPanel::toolbar(Editor& editor) {
@@ -379,6 +382,8 @@ void ViewportPanel::control(Editor& editor, ImVec2 low, ImVec2 size, bool hovere
     document.setOrbit(orbit);
   }
   if (hovered && shortcut(kNoModifiers, Key::F)) editor.frameSubject();
+  if (hovered && shortcut(kShift, Key::F)) editor.frameLights();
+  if (hovered && shortcut(kNoModifiers, Key::L)) editor.showLights(!editor.session().lightGizmos);
 }
 
 }  // namespace
