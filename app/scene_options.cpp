@@ -152,6 +152,7 @@ std::vector<Option> sceneOptionTable() {
       {"--exposure", "EV", "the picture is multiplied by 2^EV"},
       {"--tonemap", "NAME", "none (the default), aces, agx or pbr-neutral"},
       {"--samples", "N", fmt::format("antialiasing: pictures averaged, 1..{} (8)", kMostSamples)},
+      {"--specular-aa", "", "widen roughness by how much the normal varies within a pixel, on bent surfaces and in normal maps, so that highlights do not glitter; never of a reference or an error"},
       {"--compensate", "", "give back what bounces among facets more than once (Kulla and Conty 2017); off unless the model says otherwise"},
       {"--reference", "SPP", fmt::format("ground truth instead of approximations: Monte Carlo with this many samples a pixel, 1..{}; without shadows", kMostReferenceSamples)},
       {"--split-sum", "", "with --reference or --view error: the environment's reflections by the split sum alone, at the true direction of view; otherwise n = v = r is assumed too"},
@@ -345,6 +346,7 @@ Result<SceneOptions> parseSceneOptions(const Arguments& arguments) {
   if (given("tonemap")) keep(problems, parseTonemap(arguments.get("tonemap")), options.render.tonemap);
   options.render.samples = 8;
   if (given("samples")) keep(problems, parseWhole(arguments.get("samples"), 1, kMostSamples, "--samples"), options.render.samples);
+  options.render.specularAntialiasing = given("specular-aa");
   options.render.compensate = given("compensate");
   const bool error = options.render.view == kErrorView;
   if (error) options.render.reference = 256;

@@ -24,6 +24,8 @@ struct TextureSlot {
   ColorSpace colorSpace = ColorSpace::sRGB;
   Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
   Filter filter = Filter::Linear;
+  // Holds normals and is read for nothing else: its alpha may be used for their variance (renderer/normal_variance.h).
+  bool normals = false;
   bool operator==(const TextureSlot&) const = default;
 };
 inline constexpr int kFirstMaterialTexture = 8;
@@ -63,8 +65,8 @@ struct CompiledMaterial {
   // Declares the block and samplers and defines
   //   void evaluateMaterial(in MaterialInputs i, inout MaterialAttributes m)
   // for the structs of shaders/common/material.glsl, which writes every member of `m` but `model`; of that, only
-  // what the graph sets: the caller puts the model's standardSlots() there before. Deterministic: the same graph,
-  // the same text.
+  // what the graph sets: the caller puts the model's standardSlots() there before, and 0 into `normalVariance`, which
+  // is written where a normal map is averaged. Deterministic: the same graph, the same text.
   std::string glsl;
   uint64_t hash = 0;     // of glsl: programs are shared by it
   std::vector<UniformField> uniforms;

@@ -11,6 +11,7 @@
 #include "materials/glsl_program.h"
 #include "materials/graph_analysis.h"
 #include "materials/graph_validate.h"
+#include "materials/normal_variances.h"
 #include "materials/path_guard.h"
 
 namespace glint {
@@ -54,6 +55,7 @@ class Compiler {
     Bundle attributes = std::move(bundles.at(output));
     applyModelParameters(attributes);
     std::vector<ValueId> results(attributes);
+    results.push_back(variances_.of(attributes[pinIndex_.find("normal")->second]));
     for (const auto& [parameter, value] : constantParameters_) results.push_back(value);
     program_.finish(results);
     const std::string tooLong = "a driver would need gigabytes to compile it: bake a part into textures";
@@ -242,7 +244,8 @@ class Compiler {
     std::vector<ValueType> types;
     for (const Pin& pin : kind.outputs)
       types.push_back(pin.type.kind == PinType::Kind::Exact ? pin.type.type : generic);
-    const auto results = program_.call(origin(v), kind, generic, std::move(arguments), settings, types);
+    const auto results = program_.call(origin(v), kind, generic, arguments, settings, types);
+    if (!kind.variance.empty()) variances_.made(origin(v), kind, arguments, results[0]);
     for (size_t i = 0; i < results.size(); ++i) out[kind.outputs[i].name].value = results[i];
   }
 
@@ -290,6 +293,7 @@ class Compiler {
     slot.wrapS = mode(wrap);
     slot.wrapT = mode(wrapV == "same" ? wrap : wrapV);
     slot.filter = settingText(node, "filter", "linear") == "nearest" ? Filter::Nearest : Filter::Linear;
+    slot.normals = v.info.kind->builtin == Builtin::TextureSample && holdsNormals(v.document, v.analysis, v.id);
     const std::string file = settingText(node, "file");
     if (file.starts_with("gltf:")) {
       slot.file = file;
@@ -316,7 +320,8 @@ class Compiler {
 
   void sample(const Visit& v, Ports& out) {
     ValueId image = fed(v, "texture").value;
-    if (image < 0) image = texture(v);
+    const bool own = image < 0;
+    if (own) image = texture(v);
     if (image < 0) return;
     const ValueId uv = argument(v, v.info.pins->inputs[1]);
     const ValueId texel =
@@ -325,6 +330,7 @@ class Compiler {
     out["color"].value = program_.swizzle(texel, "rgb", ValueType::Color);
     for (const char* component : {"r", "g", "b", "a"})
       out[component].value = program_.swizzle(texel, component, ValueType::Float);
+    if (own && holdsNormals(v.document, v.analysis, v.id)) variances_.sampled(origin(v), out["color"].value, out["a"].value);
   }
 
   void functionInput(const Visit& v, Ports& out) {
@@ -378,6 +384,7 @@ class Compiler {
         text = fmt::format("mix({}, {}, {})", program_.text(from), program_.text(to), program_.text(mask));
       if (pins_[i].name == "normal") text = fmt::format("normalize({})", text);
       mixed[i] = program_.expression(origin(v), v.name() + "_" + pins_[i].name, type, std::move(text), {from, to, mask});
+      if (pins_[i].name == "normal") variances_.blended(origin(v), from, to, mask, mixed[i]);
     }
     return mixed;
   }
@@ -433,6 +440,8 @@ class Compiler {
       result.writesOpacityMask |= !standard && pin.name == "opacityMask";
       result.writesNormal |= !standard && pin.name == "normal";
       assignments += fmt::format("  m.{} = {};\n", target, value);
+      if (const ValueId variance = pin.name == "normal" ? variances_.of(attributes[i]) : -1; variance >= 0)
+        assignments += fmt::format("  m.normalVariance = {};\n", program_.text(variance));
     }
     for (const ModelParameter& parameter : model_.parameters) {
       ModelParameterSource source{.name = parameter.name, .value = parameter.standard};
@@ -515,6 +524,7 @@ class Compiler {
   std::map<const Material*, std::pair<MaterialPtr, std::shared_ptr<const GraphAnalysis>>> analyses_;
   std::map<std::string, ValueId> constantParameters_;  // of the model, without a pin
   GlslProgram program_;
+  NormalVariances variances_{program_};
   int instances_ = 0, liveValues_ = 0;
 };
 

@@ -411,6 +411,11 @@ bool ShadingModel::reads(std::string_view attribute) const {
   return uses.empty() || std::find(uses.begin(), uses.end(), attribute) != uses.end();
 }
 
+int ShadingModel::coatRoughnessSlot() const {
+  const ModelParameter* roughness = definesCoat ? parameter(coatRoughness) : nullptr;
+  return roughness ? roughness->slot : -1;
+}
+
 std::array<float, 4> ShadingModel::standardSlots() const {
   std::array<float, 4> slots{};
   for (const ModelParameter& p : parameters)

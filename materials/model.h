@@ -112,6 +112,8 @@ struct ShadingModel {
   bool hasF() const { return definesF || !termF.empty(); }
   // Whether its specular part is all of it, the diffuse light included: a .brdf.
   bool isWhole() const { return !namePrefix.empty(); }
+  // Where in the four per-pixel parameters the roughness of the coat is; -1 without a coat, or when it has no place there.
+  int coatRoughnessSlot() const;
   // The four per-pixel parameters at their defaults.
   std::array<float, 4> standardSlots() const;
 };

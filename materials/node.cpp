@@ -197,6 +197,9 @@ Result<NodeKind> parseNodeKind(const std::string& file, const std::string& text)
     for (const Json& output : outputs->items) kind.outputs.push_back(readPin(output, file, false, problems));
   if (const Json* settings = reader.array("settings"))
     for (const Json& setting : settings->items) kind.settings.push_back(readSetting(setting, file, problems));
+  kind.variance = reader.text("variance").value_or("");
+  if (!kind.variance.empty() && (kind.outputs.size() != 1 || kind.outputs[0].type != PinType::exact(ValueType::Vec3)))
+    reader.problem(*front->head.find("variance"), "'variance' is of one normal", "give the node one output, a vec3");
   reader.finish();
   if (kind.outputs.empty()) reader.problem("has no outputs", "add \"outputs\": [...]");
   std::vector<std::string> names;

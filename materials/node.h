@@ -8,7 +8,7 @@
 //     "outputs": [{"name": "value", "type": "numeric"}],
 //     "settings": [{"name": "space", "type": "choice", "values": ["world", "tangent"], "default": "world"},
 //                  {"name": "octaves", "type": "int", "min": 1, "max": 8, "default": 4}],
-//     "surface": true, "includes": ["noise"], "keywords": ["fit"] }
+//     "variance": "x * scale", "surface": true, "includes": ["noise"], "keywords": ["fit"] }
 //   */
 //   T node_remap(MaterialInputs i, T x, vec2 uv, float scale, int space, int octaves) { ... }
 //
@@ -17,7 +17,8 @@
 // output, or takes one `out` argument for each when there are several. `T` stands for the type that
 // "numeric" pins have in the graph at hand: float, vec2, vec3 or vec4; the function is emitted once for each
 // that occurs. "default" may name what the surface has instead of a constant: uv0, uv1, position,
-// localPosition, normal, view. "includes" are files of shaders/nodes/lib/.
+// localPosition, normal, view. "variance" is for nodes that make one normal: GLSL for the variance of its slopes within a
+// pixel, along one axis, of the inputs' names, where one that is a vec3 stands for its own variance. "includes" are files of shaders/nodes/lib/.
 #pragma once
 
 #include <cstdint>
@@ -94,6 +95,7 @@ struct NodeKind {
   std::vector<SettingInfo> settings;
   bool surface = false;
   std::vector<std::string> includes;
+  std::string variance;                 // of the head; may be empty
   Builtin builtin = Builtin::None;
   std::string file;                     // as diagnostics name it; empty when builtin
   std::string source;                   // GLSL with the head blanked

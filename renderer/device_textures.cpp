@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "renderer/normal_variance.h"
+
 namespace glint {
 namespace {
 
@@ -19,13 +21,25 @@ std::vector<uint8_t> fourChannels(const Image8& image) {
   return out;
 }
 
+// Leaves the colours of every level as they are.
+void setAlpha(const gl::Texture& texture, const std::vector<Pixels<uint8_t>>& levels) {
+  for (size_t i = 0; i < levels.size(); ++i) {
+    const Pixels<uint8_t>& alpha = levels[i];
+    std::vector<uint8_t> texels(alpha.data.size() * 4);
+    const GLint level = static_cast<GLint>(i);
+    glGetTextureImage(texture.id(), level, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(texels.size()), texels.data());
+    for (size_t t = 0; t < alpha.data.size(); ++t) texels[4 * t + 3] = alpha.data[t];
+    glTextureSubImage2D(texture.id(), level, 0, 0, alpha.width, alpha.height, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  }
+}
+
 GLenum wrapMode(Wrap wrap) {
   return wrap == Wrap::Repeat ? GL_REPEAT : wrap == Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
 }
 
 }  // namespace
 
-GLuint DeviceTextures::texture(const Image8Ptr& image, ColorSpace space) {
+GLuint DeviceTextures::texture(const Image8Ptr& image, ColorSpace space, bool variance) {
   if (!image || image->empty()) {
     if (!white_) {
       white_ = gl::createTexture2D(GL_RGBA8, 1, 1, 1);
@@ -34,7 +48,7 @@ GLuint DeviceTextures::texture(const Image8Ptr& image, ColorSpace space) {
     }
     return white_.id();
   }
-  const auto key = std::make_pair(image.get(), space);
+  const auto key = std::make_tuple(image.get(), space, variance);
   auto found = textures_.find(key);
   if (found != textures_.end() && found->second.source.lock() != image) {
     textures_.erase(found);
@@ -44,6 +58,7 @@ GLuint DeviceTextures::texture(const Image8Ptr& image, ColorSpace space) {
     gl::Texture made = gl::createTexture2D(space == ColorSpace::sRGB ? GL_SRGB8_ALPHA8 : GL_RGBA8, image->width, image->height, 0);
     glTextureSubImage2D(made.id(), 0, 0, 0, image->width, image->height, GL_RGBA, GL_UNSIGNED_BYTE, fourChannels(*image).data());
     glGenerateTextureMipmap(made.id());
+    if (variance) setAlpha(made, encodedNormalVariance(*image));
     found = textures_.emplace(key, Entry{image, std::move(made)}).first;
   }
   return found->second.texture.id();
@@ -62,8 +77,8 @@ GLuint DeviceTextures::sampler(Filter filter, Wrap s, Wrap t) {
   return found->second.id();
 }
 
-void DeviceTextures::bind(GLuint unit, const Image8Ptr& image, const TextureSlot& slot) {
-  glBindTextureUnit(unit, texture(image, slot.colorSpace));
+void DeviceTextures::bind(GLuint unit, const Image8Ptr& image, const TextureSlot& slot, bool normalVariance) {
+  glBindTextureUnit(unit, texture(image, slot.colorSpace, normalVariance && slot.normals));
   glBindSampler(unit, sampler(slot.filter, slot.wrapS, slot.wrapT));
 }
 

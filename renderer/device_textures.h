@@ -9,12 +9,13 @@
 
 namespace glint {
 
-// Uploads each image once for each colour space, with a full mip chain, always as four 8-bit channels: software GL
+// Uploads each image once for each colour space and use, with a full mip chain, always as four 8-bit channels: software GL
 // compiles a shader anew for every texture format it meets.
 class DeviceTextures {
  public:
-  // Binds the slot's texture and sampler to a unit; a null image is white.
-  void bind(GLuint unit, const Image8Ptr&, const TextureSlot&);
+  // Binds the slot's texture and sampler to a unit; a null image is white. With `normalVariance` a slot of normals has in
+  // its alpha what renderer/normal_variance.h makes of it.
+  void bind(GLuint unit, const Image8Ptr&, const TextureSlot&, bool normalVariance = false);
   void forgetUnused();
 
  private:
@@ -22,10 +23,10 @@ class DeviceTextures {
     std::weak_ptr<const Image8> source;
     gl::Texture texture;
   };
-  GLuint texture(const Image8Ptr&, ColorSpace);
+  GLuint texture(const Image8Ptr&, ColorSpace, bool variance);
   GLuint sampler(Filter, Wrap s, Wrap t);
 
-  std::map<std::pair<const Image8*, ColorSpace>, Entry> textures_;
+  std::map<std::tuple<const Image8*, ColorSpace, bool>, Entry> textures_;
   std::map<std::tuple<Filter, Wrap, Wrap>, gl::Sampler> samplers_;
   gl::Texture white_;
 };

@@ -16,6 +16,7 @@
 #include "renderer/passes/occlusion_pass.h"
 #include "renderer/passes/reference_pass.h"
 #include "renderer/passes/shadow_pass.h"
+#include "renderer/passes/temporal_pass.h"
 #include "renderer/program_cache.h"
 
 namespace glint {
@@ -47,7 +48,9 @@ struct Renderer::State {
     frame.uploads.clear();
     frame.problems.clear();
     frame.settings = settings;
+    frame.jitter = jitter;
     frame.optional = {};
+    rested = false;
     meshes.forgetUnused();
     gbufferPass.forgetUnused();
     lightingPass.forgetUnused();
@@ -61,6 +64,8 @@ struct Renderer::State {
         frame.optional.emissive |= material.compiled->writesEmissive;
         frame.optional.parameters |= material.compiled->writesModelParameters;
         frame.optional.tangent |= material.model->usesTangent;
+        // A coat's roughness is widened pixel by pixel too.
+        frame.optional.parameters |= frame.widensLobes() && material.model->coatRoughnessSlot() >= 0;
       }
     }
     for (const View& view : views) frame.views.push_back(ready(view, jitter));
@@ -250,6 +255,20 @@ struct Renderer::State {
     picture = &frame.targets.nextPicture();
     clear(picture->framebuffer.id(), 1);
     drawSample(views, size, settings, 0, picture->framebuffer.id(), Output::Picture);
+    followed = false;
+  }
+
+  // As drawPicture(), averaged with the pictures before.
+  void drawTemporal(std::span<const View> views, glm::ivec2 size, const RenderSettings& settings) {
+    if (rested) temporalPass.remember(frame, frame.targets.accumulationTexture(), accumulated);
+    frame.targets.resize(size.x, size.y, frame.optional);
+    const GLuint framebuffer = frame.targets.accumulation(kSecondReference);
+    clear(framebuffer, 0);
+    drawSample(views, size, settings, temporalPass.nextSample(), framebuffer, Output::Display);
+    picture = &frame.targets.nextPicture();
+    clear(picture->framebuffer.id(), 1);
+    temporalPass.draw(frame, frame.targets.accumulationTexture(kSecondReference), *picture);
+    followed = temporalPass.age() >= kEnoughSamples;
   }
 
   // What the accumulations hold in the error view; else all is in the first of them.
@@ -272,6 +291,7 @@ struct Renderer::State {
       lit.backgroundColor = glm::vec3(kNoSurface / std::exp2(settings.exposure));
       lit.shadows = Shadows::Off;   // a reference has none
       lit.screenOcclusion = false;
+      lit.specularAntialiasing = false;
       lit.splitSum = false;
       drawSample(views, size, lit, sample, targets.accumulation(kFirstReference), Output::Radiance, {first, middle - first});
       drawSample(views, size, lit, sample, targets.accumulation(kSecondReference), Output::Radiance, {middle, end - middle});
@@ -291,8 +311,18 @@ struct Renderer::State {
     picture = &frame.targets.nextPicture();
     clear(picture->framebuffer.id(), 1);
     const bool error = isError(settings);
-    const gl::Program& program = programs.shipped(Rectangles::vertexShader(), {error ? "shaders/passes/error.frag" : "shaders/passes/resolve.frag", settings.reference > 0 && !error ? frame.displayDefines() : std::vector<std::string>{}, {}});
+    // A few samples are rougher than what was shown while the view moved, and give way to it.
+    const bool following = followed && !error && settings.reference == 0 && accumulated < kEnoughSamples;
+    std::vector<std::string> defines;
+    if (settings.reference > 0 && !error) defines = frame.displayDefines();
+    if (following) defines.push_back("FOLLOWING");
+    const gl::Program& program = programs.shipped(Rectangles::vertexShader(), {error ? "shaders/passes/error.frag" : "shaders/passes/resolve.frag", defines, {}});
     program.set("scale", 1.0f / static_cast<float>(accumulated));
+    if (following) {
+      program.set("share", static_cast<float>(accumulated) / kEnoughSamples);
+      glBindTextureUnit(1, temporalPass.average());
+      glBindSampler(1, 0);
+    }
     glBindTextureUnit(0, frame.targets.accumulationTexture(error ? kApproximation : kFirstReference));
     if (error) {
       glBindTextureUnit(1, frame.targets.accumulationTexture(kFirstReference));
@@ -335,6 +365,10 @@ struct Renderer::State {
   BufferViewPass bufferViewPass{programs};
   ShadowPass shadowPass{programs, meshes, gbufferPass};
   OcclusionPass occlusionPass{programs};
+  TemporalPass temporalPass{programs};
+  static constexpr int kEnoughSamples = 4;
+  bool followed = false;   // drawToTexture() drew with the pictures before
+  bool rested = false;     // the frame is the last of an average that refineTexture() made
   // Of what FrameTargets::visibility holds, and its pictures, so that none of the same address takes their place.
   uint64_t visibilityKey = 0;
   std::vector<Image8Ptr> visibilityImages;
@@ -472,6 +506,8 @@ unsigned Renderer::drawToTexture(std::span<const View> views, glm::ivec2 size, c
   if (settings.reference > 0) {
     s.accumulate(views, size, settings, 0, Output::Radiance);
     s.resolve(settings);
+  } else if (settings.temporal && (settings.view == "lit" || settings.view == kFurnaceView)) {
+    s.drawTemporal(views, size, settings);
   } else {
     s.drawPicture(views, size, settings);
   }
@@ -485,6 +521,7 @@ unsigned Renderer::refineTexture(std::span<const View> views, glm::ivec2 size, c
   if (sample <= 1 && settings.reference == 0) s.accumulate(views, size, settings, 0, Output::Display);
   s.accumulate(views, size, settings, sample, State::outputOf(settings));
   s.resolve(settings);
+  s.rested = s.frame.isLit() && settings.reference == 0;
   glFinish();
   return s.picture->raw.id();
 }

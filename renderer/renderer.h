@@ -75,6 +75,13 @@ struct RenderSettings {
   // screen (shaders/passes/occlusion.frag), within `occlusionRadius` metres; 0: half the radius of what is drawn.
   bool materialOcclusion = true, screenOcclusion = false;
   float occlusionRadius = 0;
+  // Roughness is widened by how much the normal varies within a pixel, on bent surfaces and in normal maps
+  // (shaders/common/specular_antialiasing.glsl). Not with a reference, in the error view or in the furnace, which measure.
+  // Of several pictures averaged each widens for its share of the pixel.
+  bool specularAntialiasing = false;
+  // drawToTexture() alone, and only of what is lit without a reference: jittered, and averaged with the pictures before, which
+  // are brought to where the view has moved (renderer/passes/temporal_pass.h).
+  bool temporal = false;
   int samples = 1;                             // jittered frames averaged, >= 1
   // Monte Carlo samples of each pixel, over all of those frames together; 0: lights and environment are approximated. The
   // truth is an average of radiance, which is tone mapped as a whole.

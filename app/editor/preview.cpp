@@ -187,7 +187,8 @@ bool Preview::sameSettings(const Preview& o) const {
   const auto key = [](const Preview& p) {
     return std::tie(p.subject, p.models, p.columns, p.materials, p.sweepName, p.sweepFrom, p.sweepTo, p.sweepCount,
                     p.mesh, p.ownMaterials, p.editedSlot, p.environment, p.environmentRotation, p.environmentIntensity, p.view,
-                    p.exposure, p.tonemap, p.background, p.reference, p.splitSum, p.errorScale, p.compensate, p.areaLights, p.shadows, p.materialOcclusion, p.screenOcclusion, p.ground);
+                    p.exposure, p.tonemap, p.background, p.reference, p.splitSum, p.errorScale, p.compensate, p.areaLights, p.shadows, p.materialOcclusion, p.screenOcclusion, p.ground,
+                    p.specularAntialiasing, p.antialiasing);
   };
   return key(*this) == key(o) && backgroundColor == o.backgroundColor && lights == o.lights;
 }
@@ -231,6 +232,8 @@ Json previewJson(const Preview& p) {
   json.set("materialOcclusion", Json::of(p.materialOcclusion));
   json.set("screenOcclusion", Json::of(p.screenOcclusion));
   json.set("ground", Json::of(std::string(groundChoices()[size_t(p.ground)].id)));
+  json.set("specularAntialiasing", Json::of(p.specularAntialiasing));
+  json.set("antialiasing", Json::of(p.antialiasing));
   json.set("orbit", orbitJson(p.orbit));
   json.set("comparisonOrbit", orbitJson(p.comparisonOrbit));
   return json;
@@ -279,6 +282,8 @@ Preview previewFrom(const Json& json, const std::string& place, Diagnostics& war
   reader.read("materialOcclusion", p.materialOcclusion);
   reader.read("screenOcclusion", p.screenOcclusion);
   reader.read("ground", p.ground, groundChoices());
+  reader.read("specularAntialiasing", p.specularAntialiasing);
+  reader.read("antialiasing", p.antialiasing);
   readOrbit(json, "orbit", p.orbit, place, warnings);
   readOrbit(json, "comparisonOrbit", p.comparisonOrbit, place, warnings);
   return p;

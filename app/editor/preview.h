@@ -63,6 +63,9 @@ struct Preview {
   Shadows shadows = Shadows::Contact;
   bool materialOcclusion = true, screenOcclusion = true;
   Ground ground = Ground::Matte;
+  bool specularAntialiasing = true;     // as RenderSettings
+  // Edges: the pictures of a view that rests are averaged. Of comparisons too.
+  bool antialiasing = true;
 
   // Not a step of undo: looking around changes nothing.
   Orbit orbit;

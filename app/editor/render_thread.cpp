@@ -19,6 +19,15 @@ constexpr int kReferenceFrames = 256, kReferenceSamples = 16, kReferenceSamplesI
 // Over this, a picture is drawn at half the size while something is being dragged.
 constexpr double kSlowMilliseconds = 45;
 
+// Whether the same views look from elsewhere.
+bool movedFrom(const std::vector<Camera>& before, const std::vector<View>& views) {
+  const auto same = [](const View& view, const Camera& b) {
+    const Camera& a = view.camera;
+    return a.eye == b.eye && a.target == b.target && a.fovY == b.fovY && a.orthoHeight == b.orthoHeight;
+  };
+  return before.size() == views.size() && !std::equal(views.begin(), views.end(), before.begin(), same);
+}
+
 }  // namespace
 
 RenderThread::RenderThread(std::unique_ptr<gl::Context> shared, const NodeRegistry& nodes,
@@ -184,7 +193,8 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
 
   const Preview& preview = request.preview;
   settings_ = {.view = preview.view, .exposure = preview.exposure, .tonemap = preview.tonemap,
-               .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .areaLights = preview.areaLights, .coarse = true};
+               .background = preview.background, .backgroundColor = preview.backgroundColor, .compensate = preview.compensate, .areaLights = preview.areaLights,
+               .samples = !preview.antialiasing ? 1 : context_->info().software ? kSamplesInSoftware : kSamples, .coarse = true};
   if (preview.view == kErrorView || (preview.reference && (preview.view == "lit" || preview.view == kFurnaceView))) {
     settings_.samples = kReferenceFrames;
     settings_.reference = kReferenceFrames * (context_->info().software ? kReferenceSamplesInSoftware : kReferenceSamples);
@@ -195,6 +205,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
     settings_.shadows = preview.shadows;
     settings_.materialOcclusion = preview.materialOcclusion;
     settings_.screenOcclusion = preview.screenOcclusion;
+    settings_.specularAntialiasing = preview.specularAntialiasing;
   }
   const int divisor = request.dragging && smoothedCost_ > kSlowMilliseconds ? 2 : 1;
   const glm::ivec2 size = glm::max(request.size / divisor, glm::ivec2(1));
@@ -208,6 +219,12 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
     views_.push_back({&scene.scene, preview.orbit.camera(scene.radius + glm::length(scene.center - preview.orbit.target)),
                       {0, 0, size.x, size.y}});
   }
+  // A view that moves, and the picture after, where it comes to rest, have the smooth edges of those before.
+  const bool moves = movedFrom(cameras_, views_);
+  follows_ = preview.antialiasing && settings_.reference == 0 && (moves || (follows_ && !request.dragging));
+  settings_.temporal = follows_;
+  cameras_.clear();
+  for (const View& view : views_) cameras_.push_back(view.camera);
   result.serial = request.serial;
   if (settings_.view == kFurnaceView && !request.dragging) result.furnace = renderer.furnaceShares(views_, size, settings_.compensate);
   result.texture = keep(renderer.drawToTexture(views_, size, settings_), size);
@@ -278,7 +295,7 @@ void RenderThread::computePlot(PlotComputer& plots, PlotRequest request) {
 // Table by table, so that a new request need not wait for all of them; then the whole picture anew.
 bool RenderThread::finish(Renderer& renderer) {
   if (renderer.refineTable()) return true;
-  settings_.coarse = false;
+  settings_.coarse = settings_.temporal = false;
   const auto start = Clock::now();
   last_.texture = keep(renderer.drawToTexture(views_, last_.size, settings_), last_.size);
   last_.coarse = false;
@@ -289,16 +306,15 @@ bool RenderThread::finish(Renderer& renderer) {
 }
 
 bool RenderThread::refine(Renderer& renderer, PreviewScene&) {
-  const int most = settings_.reference > 0 ? settings_.samples : context_->info().software ? kSamplesInSoftware : kSamples;
   // What is dragged, or was drawn small, waits for the whole picture.
-  if (current_.dragging || last_.samples >= most) return false;
+  if (current_.dragging || (last_.samples >= settings_.samples && !last_.coarse)) return false;
   if (last_.coarse) return finish(renderer);
   const int sample = last_.samples;
   last_.texture = keep(renderer.refineTexture(views_, last_.size, settings_, sample), last_.size);
   ++last_.samples;
   measureReference(renderer, last_);
   publish(last_);
-  return last_.samples < most;
+  return last_.samples < settings_.samples;
 }
 
 }  // namespace glint

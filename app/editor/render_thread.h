@@ -122,6 +122,8 @@ class RenderThread {
   FrameRequest current_;
   FrameResult last_;
   std::vector<View> views_;
+  std::vector<Camera> cameras_;               // of the picture before
+  bool follows_ = false;                      // RenderSettings::temporal, of the picture before
   RenderSettings settings_;
   uint64_t modelsRevision_ = 0;
   std::vector<ModelPtr> unchecked_;

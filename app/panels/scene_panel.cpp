@@ -182,6 +182,8 @@ class ScenePanel final : public Panel {
       p.tonemap = kTonemaps[std::clamp(index, 0, 3)];
       return changed;
     });
+    toggle("Antialiasing", "Smooth edges: pictures of a view that rests are averaged, and one that moves takes over what it has shown", editor, &Preview::antialiasing);
+    toggle("Specular AA", "Widens roughness by how much the normal varies within a pixel, so that highlights do not glitter. Of a mesh: comparisons, references and errors have the roughness as it is", editor, &Preview::specularAntialiasing);
     property("Reference", "Monte Carlo instead of approximations, as it converges: the truth, without shadows. The view Error shows the difference", editor, [&](Preview& p, bool reset) {
       if (reset) p.reference = false;
       return ui::checkbox("Reference", p.reference);

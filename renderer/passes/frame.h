@@ -51,6 +51,7 @@ struct Frame {
   OptionalAttachments optional;
   RenderSettings settings;
   int sample = 0;                       // of those averaged
+  glm::vec2 jitter{0};                  // of that sample within the pixel
   Output output = Output::Picture;
   GLuint visibility = 0;                // FrameTargets::visibility, where something is drawn into it
   GLuint framebuffer = 0;               // of light, with the G-buffer's depth and stencil
@@ -65,6 +66,8 @@ struct Frame {
   bool approximates() const { return settings.view == "lit" && settings.reference == 0; }
   bool hasShadows() const { return approximates() && settings.shadows != Shadows::Off; }
   bool hasScreenOcclusion() const { return approximates() && settings.screenOcclusion; }
+  // Specular antialiasing. The truth, and what is measured against it or against white, is of the roughness as it is.
+  bool widensLobes() const { return settings.specularAntialiasing && settings.reference == 0 && !isFurnace(); }
   // Of programs that end in outputColor() of shaders/common/output.glsl.
   std::vector<std::string> outputDefines() const;
   std::vector<std::string> displayDefines() const;   // and in displayed() of shaders/common/tonemap.glsl

@@ -5,8 +5,10 @@
 namespace glint {
 namespace {
 
-std::vector<std::string> definesOf(const CompiledMaterial& material, const OptionalAttachments& optional) {
+std::vector<std::string> definesOf(const CompiledMaterial& material, const Frame& frame) {
+  const OptionalAttachments& optional = frame.optional;
   std::vector<std::string> defines;
+  if (frame.widensLobes()) defines.push_back("SPECULAR_ANTIALIASING");
   if (optional.emissive) defines.push_back("WRITES_EMISSIVE");
   if (optional.parameters) defines.push_back("WRITES_PARAMETERS");
   if (optional.tangent) defines.push_back("WRITES_TANGENT");
@@ -19,7 +21,7 @@ std::vector<std::string> definesOf(const CompiledMaterial& material, const Optio
 
 const gl::Program* GbufferPass::program(Frame& frame, const CompiledMaterial& material) {
   const auto program = programs_.get({"shaders/passes/gbuffer.vert", {}, {}},
-                                     {"shaders/passes/gbuffer.frag", definesOf(material, frame.optional), {{"material", material.glsl}}});
+                                     {"shaders/passes/gbuffer.frag", definesOf(material, frame), {{"material", material.glsl}}});
   if (!program) {
     // The graph compiler's fault, not the user's: say so, and draw the rest.
     frame.problems.push_back(error(material.name.empty() ? "material" : material.name, "its generated shader does not compile: " + program.diagnostics()[0].what,
@@ -36,9 +38,13 @@ void GbufferPass::bindMaterial(const Frame& frame, const ReadyView& r, const gl:
   program.set4("standardParameters", r.groups[static_cast<size_t>(group)].setting.slots.data());
   if (material.compiled->blockSize > 0)
     frame.uploads.bind(GL_UNIFORM_BUFFER, kMaterialParametersBinding, r.materialBlocks[index], material.block.size());
+  program.set("pixelShare", 1.0f / static_cast<float>(std::max(1, frame.settings.samples)));
+  glm::vec4 chosen(0);
+  if (const int slot = material.model->coatRoughnessSlot(); slot >= 0) chosen[slot] = 1;
+  program.set4("coatRoughnessSlot", &chosen.x);
   const auto& slots = material.compiled->textures;
   for (size_t i = 0; i < slots.size(); ++i)
-    textures_.bind(static_cast<GLuint>(kFirstMaterialTexture + static_cast<int>(i)), i < material.textures.size() ? material.textures[i] : nullptr, slots[i]);
+    textures_.bind(static_cast<GLuint>(kFirstMaterialTexture + static_cast<int>(i)), i < material.textures.size() ? material.textures[i] : nullptr, slots[i], frame.widensLobes());
 }
 
 void GbufferPass::draw(Frame& frame) {

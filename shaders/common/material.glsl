@@ -21,6 +21,7 @@ struct MaterialAttributes {
   float cavity;
   float ambientOcclusion;
   vec3 normal;      // tangent space, +Y up
+  float normalVariance;  // of the slopes that a normal map averages here, along one axis; only what is not 0 is written
   vec3 emissive;    // nits
   float opacityMask;
   vec4 model;       // the shading model's own per-pixel parameters, by slot

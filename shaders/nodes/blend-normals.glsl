@@ -11,6 +11,7 @@
   "outputs": [
     {"name": "normal", "type": "vec3"}
   ],
+  "variance": "base + detail",
   "keywords": ["combine", "detail"]
 }
 */

@@ -11,6 +11,7 @@
   "outputs": [
     {"name": "value", "type": "vec3"}
   ],
+  "variance": "normal * (1.0 - flatness) * (1.0 - flatness)",
   "keywords": ["strength", "soften"]
 }
 */

@@ -14,6 +14,7 @@
   "settings": [
     {"name": "green", "type": "choice", "values": ["opengl", "directx"], "default": "opengl", "doc": "Whether green grows upwards (OpenGL, glTF) or downwards (DirectX, Unreal)"}
   ],
+  "variance": "color * strength * strength",
   "keywords": ["bump", "tangent", "directx", "opengl"]
 }
 */

@@ -18,14 +18,21 @@ layout(location = 5) out vec4 outTangent;
 uniform float lightGroup;      // / 255
 uniform float opacityCutoff;
 uniform vec4 standardParameters;
+#ifdef SPECULAR_ANTIALIASING
+uniform float pixelShare;         // 1 / the pictures averaged
+uniform vec4 coatRoughnessSlot;   // 1 in the component of the model's parameters that is the roughness of its coat
+#endif
 
 #pragma glint material
+#include "shaders/common/shading.glsl"
+#include "shaders/common/specular_antialiasing.glsl"
 
 void main() {
   MaterialInputs i = materialInputs();
   i.view = towardsViewer(gl_FragCoord.xy);
   MaterialAttributes m;
   m.model = standardParameters;
+  m.normalVariance = 0.0;
   evaluateMaterial(i, m);
 #ifdef WRITES_OPACITY_MASK
   if (m.opacityMask < opacityCutoff) discard;
@@ -33,6 +40,11 @@ void main() {
   vec3 normal = i.normal;
 #ifdef WRITES_NORMAL
   normal = normalize(m.normal.x * i.tangent + m.normal.y * i.bitangent + m.normal.z * i.normal);
+#endif
+#ifdef SPECULAR_ANTIALIASING
+  float wider = alpha2OfBend(i.normal, pixelShare) + alpha2OfSlopes(m.normalVariance);
+  m.roughness = widenedRoughness(m.roughness, wider);
+  m.model = mix(m.model, vec4(widenedRoughness(dot(m.model, coatRoughnessSlot), wider)), coatRoughnessSlot);
 #endif
   // Half floats end at 65504; metallic, specular and roughness are clamped by their format.
   outBaseColor = vec4(clamp(m.baseColor, 0.0, 65504.0), m.ambientOcclusion);
