@@ -162,16 +162,21 @@ PointBlock pointBlock(const Light& light) {
 
 PlacedBlock placedBlock(const Light& light) {
   const PointBlock point = pointBlock(light);
-  glm::vec3 right, up;
-  acrossAxis(light, right, up);
-  PlacedBlock block{point.position, point.intensity, glm::vec4(light.axis, 0), glm::vec4(right, 0), {}};
-  if (light.kind == LightKind::Sphere) block.extent = {light.size, 0, 0, 0};
-  if (light.kind == LightKind::Tube) block.extent = {std::max(light.size, kSmallest), 0.5f * light.length, 0, 0};
-  if (light.kind == LightKind::Rectangle) block.extent = {0.5f * std::max(light.width, kSmallest), 0.5f * std::max(light.height, kSmallest), 0, 0};
+  PlacedBlock block{point.position, point.intensity, {}, {}};
+  if (light.kind == LightKind::Sphere) block.along.w = light.size;
+  if (light.kind == LightKind::Tube) block.along = glm::vec4(0.5f * light.length * light.axis, std::max(light.size, kSmallest));
+  if (light.kind == LightKind::Rectangle) {
+    glm::vec3 right, up;
+    acrossAxis(light, right, up);
+    const float width = std::max(light.width, kSmallest), height = std::max(light.height, kSmallest);
+    block.along = glm::vec4(0.5f * width * right, 4 / (width * height));
+    block.up = glm::vec4(0.5f * height * up, 0);
+  }
   if (light.kind == LightKind::Spot) {
     const float outer = std::cos(light.outerAngle), inner = std::cos(std::min(light.innerAngle, light.outerAngle));
     const float scale = 1 / std::max(inner - outer, 1e-3f);
-    block.extent = {scale, -outer * scale, 0, 0};
+    block.along = glm::vec4(light.axis, scale);
+    block.up.x = -outer * scale;
   }
   return block;
 }
@@ -246,7 +251,7 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
       prepared.points.push_back(pointBlock(light));
     } else {
       prepared.placed.push_back(placedBlock(light));
-      prepared.placed.back().axis.w = static_cast<float>(shadow);
+      prepared.placed.back().up.w = static_cast<float>(shadow);
     }
   }
   block.directionalCount = static_cast<int32_t>(prepared.directional.size());

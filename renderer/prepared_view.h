@@ -36,8 +36,8 @@ static_assert(sizeof(PointBlock) == kPointTexels * 16);
 // PlacedLight of shaders/common/lights.glsl.
 struct PlacedBlock {
   glm::vec4 position, intensity;   // as of a point light
-  glm::vec4 axis, right;           // axis.w: the number of its shadow, 0 without
-  glm::vec4 extent;
+  glm::vec4 along;                 // w: extent.x
+  glm::vec4 up;                    // w: the number of its shadow, 0 without; of a spot x is extent.y
 };
 static_assert(sizeof(PlacedBlock) == kPlacedTexels * 16);
 // Of a light that has a place and is none of points.

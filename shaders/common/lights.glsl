@@ -10,12 +10,12 @@ struct PlacedLight {
   vec3 center;          // from the shaded point, metres
   float inverseRange2;  // 1 / the window's radius^2
   float constant;       // of eq. 9, m^2
-  vec3 axis;            // unit: the way a spot or rectangle shines, along a tube
-  vec3 right;           // rectangle: unit, along its width
-  vec2 extent;          // sphere: radius, -; tube: radius, half its length; rectangle: half its width and height
+  vec3 along;           // spot: unit, the way it shines; tube: half of its axis; rectangle: half of its width
+  vec3 up;              // rectangle: half of its height; it shines along cross(along, up)
+  vec2 extent;          // sphere and tube: radius, -; rectangle: its radiance, -
                         // spot: scale and offset of the cosine, whose square is the profile
 };
-const int kPlacedLightTexels = 5;
+const int kPlacedLightTexels = 4;
 
 // Eq. 9 against the plain inverse square: the window, and the constant that keeps it finite. What every light is
 // multiplied by whose own falloff is nature's.
@@ -33,7 +33,7 @@ struct Arrival {
 };
 
 float spotProfile(PlacedLight light, vec3 L) {
-  float x = clamp(-dot(light.axis, L) * light.extent.x + light.extent.y, 0.0, 1.0);
+  float x = clamp(-dot(light.along, L) * light.extent.x + light.extent.y, 0.0, 1.0);
   return x * x;
 }
 
@@ -93,22 +93,22 @@ Arrival representativePoint(PlacedLight light, Shading s, int method) {
     a.specular = max(dot(s.N, towards), 0.0) / (distance * distance);
     a.irradiance = sphereFormFactor(dot(s.N, towards), sine2) / max(size * size, 1e-12);
   } else if (light.kind == kTubeLight) {
-    vec3 along = 2.0 * light.extent.y * light.axis, start = light.center - 0.5 * along;
+    vec3 along = 2.0 * light.along, start = light.center - light.along;
     point = nearestOfSphere(start + nearestOfSegment(start, along, ray) * along, size, ray);
     a.specular = lineIrradiance(s.N, start, start + along);
     a.irradiance = clippedLineIrradiance(s.N, start, start + along);
-    scale = lineNormalization(s.alpha, widenedAlpha(s.alpha, 2.0 * light.extent.y, distance, factor));
+    scale = lineNormalization(s.alpha, widenedAlpha(s.alpha, length(along), distance, factor));
   } else if (light.kind == kRectangleLight) {
     // Where the ray meets its plane, or comes nearest to it, inside its edges.
-    vec3 up = cross(light.axis, light.right);
-    float facing = dot(ray, light.axis), t = dot(light.center, light.axis) / (abs(facing) > 1e-4 ? facing : 1e-4);
+    vec3 axis = normalize(cross(light.along, light.up));
+    float facing = dot(ray, axis), t = dot(light.center, axis) / (abs(facing) > 1e-4 ? facing : 1e-4);
     vec3 across = (t > 0.0 ? t * ray : ray * distance) - light.center;
-    point = light.center + clamp(dot(across, light.right), -light.extent.x, light.extent.x) * light.right +
-            clamp(dot(across, up), -light.extent.y, light.extent.y) * up;
+    point = light.center + clamp(dot(across, light.along) / dot(light.along, light.along), -1.0, 1.0) * light.along +
+            clamp(dot(across, light.up) / dot(light.up, light.up), -1.0, 1.0) * light.up;
     // A lambertian emitter: of the same power, four times a point light's intensity straight ahead.
-    float emitted = 4.0 * max(-dot(light.axis, towards), 0.0);
+    float emitted = 4.0 * max(-dot(axis, towards), 0.0);
     a.specular = a.irradiance = emitted * max(dot(s.N, towards), 0.0) / (distance * distance);
-    size = sqrt(light.extent.x * light.extent.y);
+    size = inversesqrt(light.extent.x);
   } else {
     a.specular = a.irradiance = spotProfile(light, towards) * max(dot(s.N, towards), 0.0) / (distance * distance);
     size = 0.0;
@@ -118,7 +118,7 @@ Arrival representativePoint(PlacedLight light, Shading s, int method) {
   float widened = widenedAlpha(s.alpha, size, distance, factor);
   if (method == 3) {
     a.specularL = towards;
-    a.widened = light.kind == kTubeLight ? widenedAlpha(s.alpha, size + light.extent.y, distance, factor) : widened;
+    a.widened = light.kind == kTubeLight ? widenedAlpha(s.alpha, size + length(light.along), distance, factor) : widened;
   } else if (method != 4) {
     a.specular *= scale * sphereNormalization(s.alpha, widened);
   }

@@ -1,139 +1,180 @@
 // The light of a shape through a cosine lobe that a matrix has turned into a model's (Heitz, Dupuy, Hill and Neubelt 2016;
 // Heitz and Hill 2017 for the ellipse). Form factors: 1 where the shape fills all that the lobe sees.
+//
+// Every light runs through this at every pixel. Software GL waits for each root and division, of which one here needs the one
+// before: two lights at a time do not wait for each other (16 spheres: 55 to 47 ms a frame, where 16 points take 31). And it
+// runs through both sides of a branch: there are none.
 #include "shaders/common/lights.glsl"
 
-// A lobe of one view: frame x in the plane of the view, z the normal.
+// A lobe of one view: its matrix as a rotation, a scale and a rotation, of which the last matters for the pole alone.
 struct CosineLobe {
-  mat3 fromWorld;      // into that frame, and then into that of the cosine
-  mat3 toWorld;        // its inverse
-  float density;       // |determinant| of fromWorld
+  mat3 axes;      // from world to its own axes: across it in the plane of the view, across it, along it
+  vec3 stretch;   // what makes a cosine lobe of it, along these
+  vec3 pole;      // the middle of that cosine lobe
+  mat3 seen;      // stretch times axes
 };
 
+// `inverse` has xx, xz, zx and zz of the matrix, x in the plane of the view and z the normal; its yy is 1.
 CosineLobe cosineLobe(vec3 N, vec3 V, vec4 inverse) {
   vec3 X = V - N * dot(N, V);
   float across = dot(X, X);
   X = across > 1e-8 ? X * inversesqrt(across) : normalize(abs(N.y) < 0.99 ? cross(vec3(0.0, 1.0, 0.0), N) : cross(N, vec3(1.0, 0.0, 0.0)));
-  mat3 frame = mat3(X, cross(N, X), N);
-  mat3 m = mat3(inverse.x, 0.0, inverse.z, 0.0, 1.0, 0.0, inverse.y, 0.0, inverse.w);
-  float d = inverse.x * inverse.w - inverse.y * inverse.z;
-  mat3 back = mat3(inverse.w, 0.0, -inverse.z, 0.0, d, 0.0, -inverse.y, 0.0, inverse.x) * (1.0 / d);
-  return CosineLobe(m * transpose(frame), frame * back, abs(d));
+  // Eigenvectors of the matrix' square.
+  float xx = dot(inverse.xz, inverse.xz), zz = dot(inverse.yw, inverse.yw), xz = dot(inverse.xz, inverse.yw);
+  float rest = 0.5 * (xx - zz), root = sqrt(rest * rest + xz * xz);
+  vec2 w = rest >= 0.0 ? vec2(rest + root + 1e-20, xz) : vec2(xz, root - rest);
+  w *= inversesqrt(dot(w, w));
+  float wide = sqrt(0.5 * (xx + zz) + root), narrow = max(abs(inverse.x * inverse.w - inverse.y * inverse.z) / wide, 1e-6 * wide);
+  CosineLobe lobe;
+  lobe.axes = transpose(mat3(w.x * X + w.y * N, cross(N, X), w.x * N - w.y * X));
+  lobe.stretch = vec3(wide, 1.0, narrow);
+  lobe.pole = vec3(dot(inverse.zw, w) / wide, 0.0, (inverse.w * w.x - inverse.z * w.y) / narrow);
+  lobe.seen = mat3(lobe.axes[0] * lobe.stretch, lobe.axes[1] * lobe.stretch, lobe.axes[2] * lobe.stretch);
+  return lobe;
 }
 
-// sphereFormFactor() to a few hundredths, for a fraction of its time.
-float discAboveHorizon(float cosine, float sine2) {
-  float sine = sqrt(sine2), above = max(sine + cosine, 0.0);
-  return sine2 * (cosine >= sine ? cosine : above * above / max(4.0 * sine, 1e-9));
+// Two vectors, of two lights.
+struct Pair { vec2 x, y, z; };
+Pair pairOf(vec3 a, vec3 b) { return Pair(vec2(a.x, b.x), vec2(a.y, b.y), vec2(a.z, b.z)); }
+vec2 dotOf(Pair a, Pair b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+vec2 dotOf(vec3 a, Pair b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Pair crossOf(Pair a, Pair b) { return Pair(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x); }
+Pair scaled(Pair a, vec2 by) { return Pair(a.x * by, a.y * by, a.z * by); }
+Pair moved(Pair a, Pair along, vec2 by) { return Pair(a.x + along.x * by, a.y + along.y * by, a.z + along.z * by); }
+Pair turned(mat3 m, Pair a) {
+  return Pair(m[0].x * a.x + m[1].x * a.y + m[2].x * a.z, m[0].y * a.x + m[1].y * a.y + m[2].y * a.z, m[0].z * a.x + m[1].z * a.y + m[2].z * a.z);
 }
 
-// Cuts off what of a round thing towards `center` (unit), which covers an angle with that sine squared, is below the horizon:
-// the rest is a disc of the same area around its own middle.
-void cutAtHorizon(vec3 N, inout vec3 center, inout float sine2) {
-  float height = dot(N, center), sine = sqrt(sine2), t = clamp(height / max(sine, 1e-6), -1.0, 1.0), rest = 1.0 - t * t;
-  // The share of a disc above a chord, and where its middle lies.
-  float seen = 0.5 + t * (0.75 - 0.25 * t * t);
-  center += (N - height * center) * (sine * 0.2122066 * rest * sqrt(rest) / max(seen, 1e-3));
-  sine2 *= seen;
+// The light of a disc that covers an angle with that sine, over the sine's cube, whose middle is `t` times the sine above the
+// horizon: within a thousandth of itself when it is small, and a twentieth when it fills the sky.
+vec2 discAboveHorizon(vec2 t, vec2 sine2) {
+  vec2 u = max(0.5 + 0.5 * t, 0.0), x4 = sine2 * sine2;
+  x4 *= x4;
+  vec2 x16 = x4 * x4, small = u * u * (0.395 + u * (1.21 - 0.605 * u)), large = 0.22 * sine2 + 0.3 * x4 + 0.48 * (x16 * x16);
+  return mix(small + (u - small) * large, t, greaterThanEqual(t, vec2(1.0)));
 }
 
-// Through a lobe, of a disc above the horizon towards `center`: the ellipse that the lobe sees (Heitz and Hill 2017).
-float discThrough(CosineLobe lobe, vec3 center, float sine2) {
-  center = normalize(center);
-  vec3 c = lobe.fromWorld * center;
-  float shorter = inversesqrt(dot(c, c)), size2 = sine2 * lobe.density * (shorter * shorter * shorter);
-  // A small one is its middle.
-  if (size2 < 2.5e-3) return max(c.z * shorter, 0.0) * size2;
-  // The cone of its directions is where a quadratic form is negative; written without differences of large numbers.
-  vec3 ax = cross(lobe.toWorld[0], center), ay = cross(lobe.toWorld[1], center), az = cross(lobe.toWorld[2], center);
-  float xx = dot(ax, ax) - sine2 * dot(lobe.toWorld[0], lobe.toWorld[0]), yy = dot(ay, ay) - sine2 * dot(lobe.toWorld[1], lobe.toWorld[1]),
-        zz = dot(az, az) - sine2 * dot(lobe.toWorld[2], lobe.toWorld[2]), xy = dot(ax, ay) - sine2 * dot(lobe.toWorld[0], lobe.toWorld[1]),
-        xz = dot(ax, az) - sine2 * dot(lobe.toWorld[0], lobe.toWorld[2]), yz = dot(ay, az) - sine2 * dot(lobe.toWorld[1], lobe.toWorld[2]);
-  // Its eigenvalues (Smith 1961), one of them negative.
-  float mean = (xx + yy + zz) / 3.0;
-  vec3 diagonal = vec3(xx, yy, zz) - mean;
-  float spread = sqrt(max((dot(diagonal, diagonal) + 2.0 * (xy * xy + xz * xz + yz * yz)) / 6.0, 1e-30));
-  diagonal /= spread;
-  vec3 off = vec3(yz, xz, xy) / spread;
-  float determinant = diagonal.x * (diagonal.y * diagonal.z - off.x * off.x) - off.z * (off.z * diagonal.z - off.x * off.y) +
-                      off.y * (off.z * off.x - diagonal.y * off.y);
-  float angle = acos(clamp(0.5 * determinant, -1.0, 1.0)) / 3.0;
-  float largest = mean + 2.0 * spread * cos(angle), least = mean + 2.0 * spread * cos(angle + 2.0 * kPi / 3.0), second = 3.0 * mean - largest - least;
-  vec3 rowX = vec3(xx - least, xy, xz), rowY = vec3(xy, yy - least, yz), rowZ = vec3(xz, yz, zz - least);
-  vec3 axis = cross(rowX, rowY), other = cross(rowY, rowZ);
-  if (dot(other, other) > dot(axis, axis)) axis = other;
-  other = cross(rowZ, rowX);
-  if (dot(other, other) > dot(axis, axis)) axis = other;
-  axis = dot(axis, axis) > 1e-30 ? normalize(axis) : c * shorter;
-  float tan2 = max(-least / max(largest, 1e-20), 0.0), tan2b = max(-least / max(second, 1e-20), 0.0);
-  return discAboveHorizon(dot(axis, c) < 0.0 ? -axis.z : axis.z, sqrt(tan2 / (1.0 + tan2)) * sqrt(tan2b / (1.0 + tan2b)));
+// Through a lobe, of discs towards `center` that cover angles with those sines squared: the ellipses that the lobe sees. The
+// cone of such a disc's directions w is where k w.w - (w.c)^2 < 0. Stretched, that is a quadratic form with the eigenvalue -m
+// where the sum of c_i^2 (sine2 - m s_i^2) / (k + m s_i^2) is 0, and -m over the two others are the tangents of its widths, squared.
+vec2 discsThrough(CosineLobe lobe, Pair center, vec2 sine2) {
+  Pair c = turned(lobe.axes, center);
+  vec3 s2 = lobe.stretch * lobe.stretch;
+  vec2 x2 = c.x * c.x, y2 = c.y * c.y, z2 = c.z * c.z, k = 1.0 - sine2, across = x2 + y2 + 1e-20, whole = 2.0 * (across + z2);
+  // Were both widths across the lobe the same, it would be a root of a quadratic equation. That is below the true one and
+  // close to it; a step of Newton's comes closer.
+  vec2 wide = (x2 * s2.x + y2 * s2.y + 1e-20) / across, a = whole * wide * s2.z, c0 = whole * k * sine2;
+  vec2 b = k * (across * wide + z2 * s2.z) - sine2 * (across * s2.z + z2 * wide), root = sqrt(b * b + a * c0);
+  bvec2 above = greaterThan(b, vec2(0.0));
+  vec2 m = mix(root - b, c0, above) / mix(a, b + root, above);
+  Pair r = Pair(1.0 / (k + m * s2.x), 1.0 / (k + m * s2.y), 1.0 / (k + m * s2.z)), e = Pair(x2 * r.x, y2 * r.y, z2 * r.z);
+  vec2 more = (sine2 * (e.x + e.y + e.z) - m * dotOf(s2, e)) / (e.x * r.x * s2.x + e.y * r.y * s2.y + e.z * r.z * s2.z);
+  m += more;
+  r = Pair(1.0 / (k + m * s2.x), 1.0 / (k + m * s2.y), 1.0 / (k + m * s2.z));
+  Pair axis = Pair(c.x * r.x * lobe.stretch.x, c.y * r.y * lobe.stretch.y, c.z * r.z * lobe.stretch.z);
+  vec2 size = m * sqrt(0.5 * whole * r.x * r.y * r.z) * (lobe.stretch.x * lobe.stretch.y * lobe.stretch.z), q = inversesqrt(size * sqrt(dotOf(axis, axis)) + 1e-20), sine = min(size * q, 1.0);
+  return sine * sine * sine * discAboveHorizon(dotOf(lobe.pole, axis) * q, sine * sine);
 }
 
-// Over 2 pi, of an edge between two unit vectors: their cross product by the angle over its sine.
-vec3 edgeFormFactor(vec3 a, vec3 b) {
-  float x = dot(a, b), y = abs(x);
-  float v = (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.4175940 + (4.1616724 + y) * y);
-  return cross(a, b) * (x > 0.0 ? v : 0.5 * inversesqrt(max(1.0 - x * x, 1e-7)) - v);
+// Parallelograms as they are seen: the middle, and half of their sides.
+struct Quads { Pair c, u, v; };
+
+// What of them is above the horizon: about as much, in about the same place, as parallelograms too.
+struct Cut { vec2 keptU, keptV, movedU, movedV; };
+Cut cutOf(Quads q, vec3 N) {
+  vec2 h = dotOf(N, q.c), hu = dotOf(N, q.u), hv = dotOf(N, q.v), most = abs(hu) + abs(hv), above = max(most + h, 0.0), below = max(most - h, 0.0);
+  // The cut goes to the side that climbs, or to both where both do.
+  vec2 u2 = hu * hu, v2 = hv * hv, all = u2 + v2, square = above * (all * all) + 1e-20;
+  Cut cut;
+  cut.keptU = square / (square + below * u2 * (0.66 * all + 0.34 * u2));
+  cut.keptV = square / (square + below * v2 * (0.66 * all + 0.34 * v2));
+  cut.movedU = mix(1.0 - cut.keptU, cut.keptU - 1.0, lessThan(hu, vec2(0.0)));
+  cut.movedV = mix(1.0 - cut.keptV, cut.keptV - 1.0, lessThan(hv, vec2(0.0)));
+  return cut;
+}
+Quads cutTo(Quads q, Cut cut) { return Quads(moved(moved(q.c, q.u, cut.movedU), q.v, cut.movedV), scaled(q.u, cut.keptU), scaled(q.v, cut.keptV)); }
+
+// 1 + x of an angle's cosine x: the angle over its sine, times n. acos(c) / sqrt(1 - c^2) of the cosine of half of it is smooth.
+vec2 angleOverSine(vec2 x, vec2 n) {
+  vec2 c2 = abs(x) + 1e-7, c = sqrt(c2);
+  return (n / c) * ((2.2212057 - 0.9911858 * c) + c2 * ((0.4995267 - 0.1965909 * c) + c2 * 0.0379739));
+}
+// Of the four edges from -v on, the angles that they cover, over their sines and the lengths to their ends: by the squares and
+// products of the three vectors.
+struct Edges { vec2 a, b, c, d; };
+Edges edgesOf(vec2 cc, vec2 uu, vec2 vv, vec2 cu, vec2 cv, vec2 uv) {
+  vec2 all = cc + uu + vv, sum = 2.0 * (cu + cv), difference = 2.0 * (cu - cv), even = all + 2.0 * uv, odd = all - 2.0 * uv;
+  vec2 a = inversesqrt(abs(even - sum) + 1e-15), b = inversesqrt(abs(odd + difference) + 1e-15), c = inversesqrt(abs(even + sum) + 1e-15), d = inversesqrt(abs(odd - difference) + 1e-15);
+  vec2 ab = a * b, bc = b * c, cd = c * d, da = d * a, acrossV = cc - uu + vv, acrossU = cc + uu - vv;
+  return Edges(angleOverSine(1.0 + ab * (acrossV - 2.0 * cv), ab), angleOverSine(1.0 + bc * (acrossU + 2.0 * cu), bc),
+               angleOverSine(1.0 + cd * (acrossV + 2.0 * cv), cd), angleOverSine(1.0 + da * (acrossU - 2.0 * cu), da));
 }
 
-// The corners of a light as it is seen, for lights that are no spheres.
-struct LightQuad { vec3 a, b, c, d; };
-LightQuad quadOf(PlacedLight light) {
-  if (light.kind == kRectangleLight) {
-    vec3 x = light.extent.x * light.right, y = light.extent.y * cross(light.axis, light.right);
-    return LightQuad(light.center - x - y, light.center + x - y, light.center + x + y, light.center - x + y);
-  }
-  // A tube shows its axis with its width, and its round ends as a little more length.
-  vec3 from = light.center - light.extent.y * light.axis, to = light.center + light.extent.y * light.axis;
-  float radius = max(light.extent.x, 1e-3 * length(light.center));
-  vec3 across = cross(light.center, light.axis);
-  float turned = dot(across, across);
-  across = turned > 1e-12 ? across * (radius * inversesqrt(turned)) : vec3(0.0);
-  vec3 ahead = normalize(from), beyond = normalize(to);
-  vec3 first = light.axis - dot(light.axis, ahead) * ahead, last = light.axis - dot(light.axis, beyond) * beyond;
-  from -= first * (0.25 * kPi * radius * inversesqrt(max(dot(first, first), 1e-8)));
-  to += last * (0.25 * kPi * radius * inversesqrt(max(dot(last, last), 1e-8)));
-  return LightQuad(from - across, to - across, to + across, from + across);
+// Through a lobe, of quads that turn one of their sides this way. What is below the lobe's own horizon is cut off as of a sphere
+// of the same flux.
+vec2 quadsThrough(CosineLobe lobe, Quads quads, Cut cut, float side) {
+  Quads q = cutTo(Quads(turned(lobe.seen, quads.c), turned(lobe.seen, quads.u), turned(lobe.seen, quads.v)), cut);
+  Edges w = edgesOf(dotOf(q.c, q.c), dotOf(q.u, q.u), dotOf(q.v, q.v), dotOf(q.c, q.u), dotOf(q.c, q.v), dotOf(q.u, q.v));
+  Pair flux = moved(moved(scaled(crossOf(q.c, q.u), w.a - w.c), crossOf(q.c, q.v), w.b - w.d), crossOf(q.u, q.v), w.a + w.b + w.c + w.d);
+  vec2 square = dotOf(flux, flux) * (1.0 / (kPi * kPi)) + 1e-20, size = sqrt(square), cube = sqrt(square * size);
+  return cube * discAboveHorizon(dotOf(lobe.pole, flux) * (side / kPi) / cube, min(size, 1.0));
 }
 
-// Through a lobe, of a flat or twisted quadrilateral. Its part below the cosine's horizon is cut
-// off as a sphere of the same form factor would be.
-float quadThrough(mat3 fromWorld, LightQuad q) {
-  vec3 a = normalize(fromWorld * q.a), b = normalize(fromWorld * q.b), c = normalize(fromWorld * q.c), d = normalize(fromWorld * q.d);
-  vec3 sum = edgeFormFactor(a, b) + edgeFormFactor(b, c) + edgeFormFactor(c, d) + edgeFormFactor(d, a);
-  float size = length(sum);
-  if (size < 1e-12) return 0.0;
-  vec3 towards = sum / size;
-  if (dot(towards, a + c) < 0.0) towards = -towards;
-  return discAboveHorizon(towards.z, min(size, 1.0));
-}
-
-// The share of it that is above the horizon, about.
-float seenOf(LightQuad q, vec3 N) {
-  vec4 heights = vec4(dot(N, q.a), dot(N, q.b), dot(N, q.c), dot(N, q.d));
-  return dot(max(heights, 0.0), vec4(1.0)) / max(dot(abs(heights), vec4(1.0)), 1e-12);
-}
-
-// What a surface sends on of a light of 1 candela: `specular` pi times the mean radiance that its lobe sees, `coat` that of
+// What a surface sends on of two lights of 1 candela: `specular` pi times the mean radiance that its lobe sees, `coat` that of
 // another, and the irradiance.
-struct Seen { float specular, coat, irradiance; };
-Seen seenLight(PlacedLight light, vec3 N, CosineLobe lobe, CosineLobe coat) {
-  float distance2 = dot(light.center, light.center);
-  if (light.kind == kSphereLight) {
-    // Radiance 1 / (pi R^2); from inside it is everywhere.
-    float size2 = max(light.extent.x * light.extent.x, 1e-12), sine2 = min(size2 / max(distance2, 1e-12), 1.0), cut = sine2, scale = 1.0 / size2;
-    vec3 center = light.center * inversesqrt(max(distance2, 1e-12)), middle = center;
-    cutAtHorizon(N, middle, cut);
-    return sine2 < 1.0 ? Seen(discThrough(lobe, middle, cut) * scale, discThrough(coat, middle, cut) * scale, discAboveHorizon(dot(N, center), sine2) * scale)
-                       : Seen(scale, scale, scale);
-  }
-  LightQuad q = quadOf(light);
-  float seen = seenOf(q, N);
-  if (light.kind == kTubeLight) {
-    float radius = max(light.extent.x, 1e-3 * sqrt(distance2)), scale = seen / (radius * (radius + light.extent.y));
-    vec3 along = light.extent.y * light.axis;
-    return Seen(quadThrough(lobe.fromWorld, q) * scale, quadThrough(coat.fromWorld, q) * scale,
-                clippedLineIrradiance(N, light.center - along, light.center + along));
-  }
-  float scale = dot(light.center, light.axis) < 0.0 ? kPi / (light.extent.x * light.extent.y) : 0.0;  // none behind a rectangle
-  return Seen(quadThrough(lobe.fromWorld, q) * seen * scale, quadThrough(coat.fromWorld, q) * seen * scale, quadThrough(cosineLobe(N, N, vec4(1.0, 0.0, 0.0, 1.0)).fromWorld, q) * scale);
+struct Seen { vec2 specular, coat, irradiance; };
+
+Seen seenSpheres(PlacedLight one, PlacedLight two, vec3 N, CosineLobe lobe, CosineLobe coat) {
+  // Radiance 1 / (pi R^2); from inside it is everywhere.
+  Pair center = pairOf(one.center, two.center);
+  vec2 size = max(vec2(one.extent.x, two.extent.x), 1e-6), scale = 1.0 / (size * size);
+  vec2 near = inversesqrt(dotOf(center, center) + 1e-20), sine = size * near, height = dotOf(N, center), t = height / size;
+  // What is below the horizon is cut off: the rest is a disc of the same area around its own middle.
+  vec2 level = clamp(t, -1.0, 1.0), w = 0.5 - 0.5 * level, up = sine * w * (0.463 + w * (1.006 - 0.469 * w)), down = near - up * height * near * near;
+  Pair middle = Pair(center.x * down + N.x * up, center.y * down + N.y * up, center.z * down + N.z * up);
+  vec2 cut = sine * sine * max(0.5 + level * (0.645 - 0.145 * level * level), 0.0);
+  bvec2 inside = greaterThan(sine, vec2(0.9999));
+  return Seen(scale * mix(discsThrough(lobe, middle, cut), vec2(1.0), inside), scale * mix(discsThrough(coat, middle, cut), vec2(1.0), inside),
+              scale * mix(sine * sine * sine * discAboveHorizon(t, sine * sine), vec2(1.0), inside));
+}
+
+// A tube shows its axis with its width, and its round ends as a little more length.
+Seen seenTubes(PlacedLight one, PlacedLight two, vec3 N, CosineLobe lobe, CosineLobe coat) {
+  Pair center = pairOf(one.center, two.center), along = pairOf(one.along, two.along), across = crossOf(center, along);
+  vec2 cc = dotOf(center, center), cu = dotOf(center, along), uu = dotOf(along, along);
+  vec2 radius = vec2(one.extent.x, two.extent.x) + 1e-3 * sqrt(cc), long1 = sqrt(uu), scale = 1.0 / (kPi * radius * (radius + long1)), turned2 = dotOf(across, across) + 1e-12;
+  // Longer along the axis by what half a disc would be at right angles to the way to it; where the way is along the axis, across.
+  vec2 turned1 = inversesqrt(turned2), ends = 0.25 * kPi * radius, most = 3.0 * ends / long1, closeness = inversesqrt(cc + 1e-12);
+  vec2 first = min(ends * turned1 * sqrt(cc - 2.0 * cu + uu), most), last = min(ends * turned1 * sqrt(cc + 2.0 * cu + uu), most);
+  vec2 aside = max(1.0 - turned2 * turned1 * closeness / long1, 0.0) * ends * turned1 * closeness;
+  vec2 wide = radius * inversesqrt(max(turned2 - radius * radius * uu, 0.01 * turned2));
+  Quads q = Quads(moved(center, along, 0.5 * (last - first)), moved(scaled(along, 1.0 + 0.5 * (first + last) + aside * cc), center, -aside * cu), scaled(across, wide));
+  Cut cut = cutOf(q, N);
+  vec2 specular = quadsThrough(lobe, q, cut, 1.0), coated = quadsThrough(coat, q, cut, 1.0);
+  // The irradiance of a strip that faces the viewer: along its middle, the integral of the two cosines over the squared distance.
+  q = cutTo(q, cut);
+  vec2 h = dotOf(N, q.c), hu = dotOf(N, q.u);
+  cc = dotOf(q.c, q.c), cu = dotOf(q.c, q.u), uu = dotOf(q.u, q.u);
+  vec2 near = cc - 2.0 * cu + uu, far = cc + 2.0 * cu + uu, n2 = 1.0 / (near * far + 1e-20), n = sqrt(n2);
+  vec2 strip = (h * uu - hu * cu) * ((near + far) * n2 + 2.0 * angleOverSine(1.0 + (cc - uu) * n, n)) + (hu * cc - h * cu) * cu * 4.0 * n2;
+  return Seen(specular * (kPi * scale), coated * (kPi * scale), max(strip, 0.0) * inversesqrt(abs(cc * uu - cu * cu) + 1e-12) * radius * cut.keptV * scale);
+}
+
+Seen seenRectangles(PlacedLight one, PlacedLight two, vec3 N, CosineLobe lobe, CosineLobe coat) {
+  Quads q = Quads(pairOf(one.center, two.center), pairOf(one.along, two.along), pairOf(one.up, two.up));
+  vec2 scale = mix(vec2(0.0), vec2(one.extent.x, two.extent.x), lessThan(dotOf(q.c, crossOf(q.u, q.v)), vec2(0.0)));  // none behind it
+  Cut cut = cutOf(q, N);
+  vec2 specular = quadsThrough(lobe, q, cut, -1.0), coated = quadsThrough(coat, q, cut, -1.0);
+  q = cutTo(q, cut);
+  Edges w = edgesOf(dotOf(q.c, q.c), dotOf(q.u, q.u), dotOf(q.v, q.v), dotOf(q.c, q.u), dotOf(q.c, q.v), vec2(0.0));
+  Pair aside = crossOf(q.c, Pair(vec2(N.x), vec2(N.y), vec2(N.z)));
+  vec2 irradiance = dotOf(aside, q.u) * (w.a - w.c) + dotOf(aside, q.v) * (w.b - w.d) - dotOf(N, crossOf(q.u, q.v)) * (w.a + w.b + w.c + w.d);
+  return Seen(specular * (kPi * scale), coated * (kPi * scale), max(irradiance, 0.0) * scale);
+}
+
+// Both of one kind.
+Seen seenLights(PlacedLight one, PlacedLight two, vec3 N, CosineLobe lobe, CosineLobe coat) {
+  if (one.kind == kSphereLight) return seenSpheres(one, two, N, lobe, coat);
+  if (one.kind == kTubeLight) return seenTubes(one, two, N, lobe, coat);
+  return seenRectangles(one, two, N, lobe, coat);
 }

@@ -169,22 +169,22 @@ float referenceSpherePdf(PlacedLight light, vec3 L) {
 
 // A capsule, evenly over its surface: the caps are the two halves of a sphere.
 vec3 referenceToTube(PlacedLight light, vec2 u) {
-  float radius = light.extent.x, half_ = light.extent.y, caps = radius / (radius + half_), phi = 2.0 * kPi * u.y;
-  vec3 around = cos(phi) * light.right + sin(phi) * cross(light.axis, light.right);
-  vec3 point;
+  float radius = light.extent.x, half_ = length(light.along), caps = radius / (radius + half_), phi = 2.0 * kPi * u.y;
+  vec3 axis = light.along / half_, right = anyTangent(axis), around = cos(phi) * right + sin(phi) * cross(axis, right), point;
   if (u.x < caps) {
     float z = 2.0 * u.x / caps - 1.0;
-    point = radius * (sqrt(max(1.0 - z * z, 0.0)) * around + z * light.axis) + (z < 0.0 ? -half_ : half_) * light.axis;
+    point = radius * (sqrt(max(1.0 - z * z, 0.0)) * around + z * axis) + (z < 0.0 ? -1.0 : 1.0) * light.along;
   } else {
-    point = radius * around + (2.0 * (u.x - caps) / (1.0 - caps) - 1.0) * half_ * light.axis;
+    point = radius * around + (2.0 * (u.x - caps) / (1.0 - caps) - 1.0) * light.along;
   }
   return normalize(light.center + point);
 }
 // A direction meets it where it enters and where it leaves: both points could have been drawn. From within only one can.
 float referenceTubePdf(PlacedLight light, vec3 L) {
-  float radius = light.extent.x, half_ = light.extent.y, radius2 = radius * radius, area = 4.0 * kPi * radius * (radius + half_);
-  float along = dot(light.center, light.axis), turned = dot(L, light.axis);
-  vec3 across = light.center - along * light.axis, sideways = L - turned * light.axis;
+  float radius = light.extent.x, half_ = length(light.along), radius2 = radius * radius, area = 4.0 * kPi * radius * (radius + half_);
+  vec3 axis = light.along / half_;
+  float along = dot(light.center, axis), turned = dot(L, axis);
+  vec3 across = light.center - along * axis, sideways = L - turned * axis;
   float pdf = 0.0, k = dot(sideways, sideways);
   if (k > 1e-10) {
     float t = dot(across, sideways) / k;
@@ -198,7 +198,7 @@ float referenceTubePdf(PlacedLight light, vec3 L) {
     }
   }
   for (int end = -1; end <= 1; end += 2) {
-    vec3 center = light.center + float(end) * half_ * light.axis;
+    vec3 center = light.center + float(end) * light.along;
     float t = dot(center, L);
     vec3 beside = center - t * L;
     float rest = radius2 - dot(beside, beside);
@@ -207,23 +207,24 @@ float referenceTubePdf(PlacedLight light, vec3 L) {
     for (int side = -1; side <= 1; side += 2) {
       float at = t + float(side) * halfChord;
       vec3 normal = (at * L - center) / radius;
-      if (at > 0.0 && dot(normal, light.axis) * float(end) > 0.0) pdf += referenceAreaPdf(at, L, normal, area);
+      if (at > 0.0 && dot(normal, axis) * float(end) > 0.0) pdf += referenceAreaPdf(at, L, normal, area);
     }
   }
   return pdf;
 }
 
 vec3 referenceToRectangle(PlacedLight light, vec2 u) {
-  vec2 at = (2.0 * u - 1.0) * light.extent;
-  return normalize(light.center + at.x * light.right + at.y * cross(light.axis, light.right));
+  vec2 at = 2.0 * u - 1.0;
+  return normalize(light.center + at.x * light.along + at.y * light.up);
 }
 float referenceRectanglePdf(PlacedLight light, vec3 L) {
-  float facing = dot(L, light.axis);
+  vec3 axis = normalize(cross(light.along, light.up));
+  float facing = dot(L, axis);
   if (facing >= 0.0) return 0.0;
-  float t = dot(light.center, light.axis) / facing;
+  float t = dot(light.center, axis) / facing, width2 = dot(light.along, light.along), height2 = dot(light.up, light.up);
   vec3 point = t * L - light.center;
-  bool inside = t > 0.0 && abs(dot(point, light.right)) <= light.extent.x && abs(dot(point, cross(light.axis, light.right))) <= light.extent.y;
-  return inside ? referenceAreaPdf(t, L, light.axis, 4.0 * light.extent.x * light.extent.y) : 0.0;
+  bool inside = t > 0.0 && abs(dot(point, light.along)) <= width2 && abs(dot(point, light.up)) <= height2;
+  return inside ? referenceAreaPdf(t, L, axis, 4.0 * sqrt(width2 * height2)) : 0.0;
 }
 
 vec3 referenceToLight(PlacedLight light, vec2 u) {
@@ -237,7 +238,7 @@ float referenceLightPdf(PlacedLight light, vec3 L) {
 // Of 1 candela: nitsPerCandela() of renderer/light.h.
 float referenceRadiance(PlacedLight light) {
   float a = light.extent.x;
-  return 1.0 / (light.kind == kSphereLight ? kPi * a * a : light.kind == kTubeLight ? kPi * a * (a + light.extent.y) : a * light.extent.y);
+  return light.kind == kRectangleLight ? a : 1.0 / (kPi * a * (light.kind == kSphereLight ? a : a + length(light.along)));
 }
 
 // The mean of `count` samples from the `first` on, of each kind.

@@ -42,8 +42,9 @@ vec3 pointLights(inout Shading s, Parameters p, vec3 position, int texel, int co
 }
 
 PlacedLight placedLightAt(int texel, int kind, vec3 position) {
-  vec4 at = texelFetch(tileLights, texel);
-  return PlacedLight(kind, at.xyz - position, at.w, texelFetch(tileLights, texel + 1).w, texelFetch(tileLights, texel + 2).xyz,
-                     texelFetch(tileLights, texel + 3).xyz, texelFetch(tileLights, texel + 4).xy);
+  vec4 at = texelFetch(tileLights, texel), along = texelFetch(tileLights, texel + 2), up = texelFetch(tileLights, texel + 3);
+  return PlacedLight(kind, at.xyz - position, at.w, texelFetch(tileLights, texel + 1).w, along.xyz, up.xyz, vec2(along.w, up.x));
 }
+// The number of its shadow.
+float placedShadowAt(int texel) { return texelFetch(tileLights, texel + 3).w; }
 #endif

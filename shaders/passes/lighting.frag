@@ -98,53 +98,28 @@ Reflection reflectionAt(Shading s, float roughness, float layer) {
   return Reflection(cosineLobe(s.N, s.V, textureLod(areaLightTable, vec3(at, layer), 0.0)),
                     s.F0 * textureLod(areaLightTable, vec3(at, layer + 1.0), 0.0).rgb + textureLod(areaLightTable, vec3(at, layer + 2.0), 0.0).rgb);
 }
-#endif
-
 // What of a surface is the same for all lights.
 struct Receiver {
-#ifdef COSINES
   Reflection base;
 #ifdef MODEL_COAT
   Reflection coat;
 #endif
-#endif
-  float unused;
 };
 Receiver receiver(Shading s, Parameters p) {
   Receiver r;
-  r.unused = 0.0;
-#ifdef COSINES
   r.base = reflectionAt(s, s.roughness, 0.0);
 #ifdef MODEL_COAT
   r.coat = reflectionAt(s, clamp(modelCoatRoughness(p), 0.0, 1.0), 3.0);
 #endif
-#endif
   return r;
 }
+#endif
 
-// What a model sends on of a light of 1 candela.
-vec3 placedLight(PlacedLight light, Receiver receiver, Shading s, Parameters p) {
+// What a model sends on of a light of 1 candela, by a representative point.
+vec3 placedLight(PlacedLight light, Shading s, Parameters p) {
   float falloff = attenuation(light);
   if (falloff <= 0.0) return vec3(0.0);
   vec3 lit = vec3(0.0);
-#ifdef COSINES
-  if (light.kind != kSpotLight) {
-    setLight(s, normalize(light.center));
-#ifdef MODEL_COAT
-    Seen seen = seenLight(light, s.N, receiver.base.lobe, receiver.coat.lobe);
-    vec3 specular = modelThroughCoat(s, p) * (receiver.base.reflected * seen.specular) + modelCoatStrength(p) * (receiver.coat.reflected * seen.coat);
-#else
-    Seen seen = seenLight(light, s.N, receiver.base.lobe, receiver.base.lobe);
-    vec3 specular = receiver.base.reflected * seen.specular;
-#endif
-    lit = max(specular, 0.0) / kPi + modelDiffuse(s, p) * seen.irradiance;
-#ifdef COMPENSATE
-    lit += glintFurtherBounces(s, p.glintBounces) * seen.irradiance;
-#endif
-    if (modelScatters) lit += modelScattered(s, p) / max(dot(light.center, light.center), 1e-12);
-    return lit * falloff;
-  }
-#endif
   Arrival arrival = representativePoint(light, s, PLACED_LIGHTS);
   setLight(s, arrival.specularL);
   if (dot(s.N, s.L) > 0.0) {
@@ -167,6 +142,37 @@ vec3 placedLight(PlacedLight light, Receiver receiver, Shading s, Parameters p) 
   if (modelScatters) lit += modelScattered(s, p) / max(dot(light.center, light.center), 1e-12);
   return lit * falloff;
 }
+
+#ifdef COSINES
+// Likewise of two, by its lobe.
+struct Lit { vec3 one, two; };
+vec3 litFrom(vec3 center, float irradiance, Shading s, Parameters p) {
+  setLight(s, normalize(center));
+  vec3 lit = modelDiffuse(s, p) * irradiance;
+#ifdef COMPENSATE
+  lit += glintFurtherBounces(s, p.glintBounces) * irradiance;
+#endif
+  if (modelScatters) lit += modelScattered(s, p) / max(dot(center, center), 1e-12);
+  return lit;
+}
+Lit areaLights(PlacedLight one, PlacedLight two, Receiver receiver, Shading s, Parameters p) {
+  Lit lit;
+#ifdef MODEL_COAT
+  Seen seen = seenLights(one, two, s.N, receiver.base.lobe, receiver.coat.lobe);
+  // A coat lets through what its half vector says.
+  setLight(s, normalize(one.center));
+  lit.one = modelThroughCoat(s, p) * (receiver.base.reflected * seen.specular.x) + modelCoatStrength(p) * (receiver.coat.reflected * seen.coat.x);
+  setLight(s, normalize(two.center));
+  lit.two = modelThroughCoat(s, p) * (receiver.base.reflected * seen.specular.y) + modelCoatStrength(p) * (receiver.coat.reflected * seen.coat.y);
+#else
+  Seen seen = seenLights(one, two, s.N, receiver.base.lobe, receiver.base.lobe);
+  lit = Lit(receiver.base.reflected * seen.specular.x, receiver.base.reflected * seen.specular.y);
+#endif
+  lit.one = (max(lit.one, 0.0) / kPi + litFrom(one.center, seen.irradiance.x, s, p)) * attenuation(one);
+  lit.two = (max(lit.two, 0.0) / kPi + litFrom(two.center, seen.irradiance.y, s, p)) * attenuation(two);
+  return lit;
+}
+#endif
 #endif
 
 // What the surface under a pixel sends to the viewer of the light that arrives, apart from its cavity.
@@ -183,12 +189,24 @@ vec3 sentOn(ivec2 pixel, Surface surface, Shading s, Parameters p) {
 #endif
 #ifdef PLACED_LIGHTS
   // A loop for each kind: software GL runs through all that a loop holds.
-  Receiver receiving = receiver(s, p);
 #define LIGHTS_OF_KIND(kind, count) \
   for (int i = 0; i < (count); ++i, texel += kPlacedLightTexels) \
-    radiance += placedLight(placedLightAt(texel, kind, position), receiving, s, p) * texelFetch(tileLights, texel + 1).rgb * lightVisibility(texelFetch(tileLights, texel + 2).w);
+    radiance += placedLight(placedLightAt(texel, kind, position), s, p) * texelFetch(tileLights, texel + 1).rgb * lightVisibility(placedShadowAt(texel));
 #ifdef SPOT_LIGHTS
   LIGHTS_OF_KIND(kSpotLight, inLights.z & 0xffff)
+#endif
+#ifdef COSINES
+  Receiver receiving = receiver(s, p);
+#undef LIGHTS_OF_KIND
+  // One that is left over is taken twice.
+#define LIGHTS_OF_KIND(kind, count) \
+  for (int end = texel + (count) * kPlacedLightTexels; texel < end;) { \
+    int other = min(texel + kPlacedLightTexels, end - kPlacedLightTexels); \
+    Lit lit = areaLights(placedLightAt(texel, kind, position), placedLightAt(other, kind, position), receiving, s, p); \
+    radiance += lit.one * texelFetch(tileLights, texel + 1).rgb * lightVisibility(placedShadowAt(texel)); \
+    if (other > texel) radiance += lit.two * texelFetch(tileLights, other + 1).rgb * lightVisibility(placedShadowAt(other)); \
+    texel = other + kPlacedLightTexels; \
+  }
 #endif
 #ifdef SPHERE_LIGHTS
   LIGHTS_OF_KIND(kSphereLight, inLights.z >> 16)

@@ -25,7 +25,7 @@ vec3 referenceOne(Shading s, Parameters p) { return vec3(1.0); }
 uniform vec4 standardParameters;
 uniform bool plainNonmetal;
 uniform int lightKind;
-uniform vec4 placed[5];    // PlacedBlock of renderer/prepared_view.h, from the point
+uniform vec4 placed[4];    // PlacedBlock of renderer/prepared_view.h, from the point
 uniform vec3 normal, viewer, reflectance;
 uniform float roughness;
 uniform int sampleCount, pixelsAcross;
@@ -41,7 +41,7 @@ float smallestAngle(vec3 start, vec3 along, vec3 ray) {
 vec3 approximation(int which, PlacedLight light, Shading s, Parameters p) {
   float distance = length(light.center), size = light.extent.x;
   float wide = sphereNormalization(s.alpha, widenedAlpha(s.alpha, size, distance, 3.0));
-  vec3 ray = 2.0 * dot(s.N, s.V) * s.N - s.V, along = 2.0 * light.extent.y * light.axis, start = light.center - 0.5 * along;
+  vec3 ray = 2.0 * dot(s.N, s.V) * s.N - s.V, along = 2.0 * light.along, start = light.center - light.along;
   PlacedLight drawn = light;
   if (which == 0) {
     drawn.kind = kSpotLight;
@@ -50,7 +50,7 @@ vec3 approximation(int which, PlacedLight light, Shading s, Parameters p) {
   Arrival a = representativePoint(drawn, s, which == 1 ? 3 : which == 2 || which == 7 ? 4 : which == 4 ? 2 : 1);
   if (which == 5) a.specular = max(dot(s.N, a.specularL), 0.0) / (distance * distance) * wide;
   if (which == 6) a.specularL = normalize(2.0 * light.center - nearestOfSphere(light.center, size, ray));
-  if (which == 7) a.specular *= wide * lineNormalization(s.alpha, widenedAlpha(s.alpha, light.extent.y, distance, 3.0));
+  if (which == 7) a.specular *= wide * lineNormalization(s.alpha, widenedAlpha(s.alpha, length(light.along), distance, 3.0));
   if (which == 8) a.specularL = normalize(nearestOfSphere(start + smallestAngle(start, along, ray) * along, size, ray));
   setLight(s, a.specularL);
   if (dot(s.N, s.L) <= 0.0) return vec3(0.0);
@@ -76,7 +76,7 @@ void main() {
 #endif
   Parameters p = modelParameters(standardParameters);
   modelPrepare(s, p);
-  PlacedLight light = PlacedLight(lightKind, placed[0].xyz, placed[0].w, placed[1].w, placed[2].xyz, placed[3].xyz, placed[4].xy);
+  PlacedLight light = PlacedLight(lightKind, placed[0].xyz, placed[0].w, placed[1].w, placed[2].xyz, placed[3].xyz, vec2(placed[2].w, placed[3].x));
   int index = int(gl_FragCoord.y) * pixelsAcross + int(gl_FragCoord.x);
 #ifdef APPROXIMATIONS
   outColor = vec4(approximation(index, light, s, p), 1.0);
