@@ -1,7 +1,7 @@
 // Linearly transformed cosines (Heitz, Dupuy, Hill and Neubelt 2016) for any model: for each roughness and view the matrix
 // that turns a cosine lobe into the model's, so that the light of a shape through the lobe is its light through a cosine
-// (shaders/common/linearly_transformed_cosines.glsl). Fitted from the model's own f by the quartiles of its lobe, and kept
-// on disk by content. Needs a current context.
+// (shaders/common/linearly_transformed_cosines.glsl). Fitted from the model's own f, and kept on disk by content. Needs a
+// current context.
 #pragma once
 
 #include <array>
@@ -13,14 +13,6 @@
 #include "renderer/program_cache.h"
 
 namespace glint {
-
-// The lobe of one view, whose plane is that of x and z; the normal is +Z.
-struct CosineFit {
-  glm::dmat3 matrix{1};        // from the cosine lobe to the model's
-  bool known = false;          // false: the model sends nothing on
-};
-// From directions of light and how much of it is sent on from each; every one stands for its mirror image in y too.
-CosineFit fitCosine(const std::vector<glm::dvec3>& directions, const std::vector<double>& weights);
 
 class AreaLightTables {
  public:

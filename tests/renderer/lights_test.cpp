@@ -7,7 +7,7 @@
 
 #include "app/scene_options.h"
 #include "materials/model_registry.h"
-#include "renderer/area_light_tables.h"
+#include "renderer/cosine_fit.h"
 #include "renderer/renderer.h"
 #include "tests/support/renderer_fixture.h"
 
@@ -25,13 +25,14 @@ class LightsTest : public test::RendererFixture<LightsTest> {
     scene.lights = lights;
     return scene;
   }
-  static ImageF draw(const Scene& scene, AreaLights method = AreaLights::Unreal) {
+  static ImageF draw(const Scene& scene, AreaLights method = AreaLights::Unreal, int reference = 0) {
     constexpr int kSide = 48;
     Camera camera;
     camera.orthoHeight = 2.2f;
     const View view{&scene, camera, {0, 0, kSide, kSide}};
     RenderSettings settings;
     settings.areaLights = method;
+    settings.reference = reference;
     return renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
   }
   static double center(const ImageF& image) { return image.at(image.width / 2, image.height / 2)[0]; }
@@ -97,31 +98,86 @@ TEST_F(LightsTest, IrradianceIsThatOfTheShape) {
   EXPECT_NEAR(center(draw(scene("blinn-phong", white, {*spot}))), spot->candela / 16 / kPi, 0.01 * spot->candela / 16);
 }
 
-// A lobe that is a turned cosine is found again.
+// A lobe that is a turned cosine is found again, also where a part of it is below the horizon.
 TEST(CosineFit, FindsWhatItWasMadeFrom) {
-  const glm::dmat3 made(glm::dvec3(0.3, 0, -0.09), glm::dvec3(0, 0.4, 0), glm::dvec3(0.1, 0, 1));
-  std::vector<glm::dvec3> directions;
-  constexpr int kSide = 200;
-  for (int i = 0; i < kSide; ++i)
-    for (int j = 0; j < kSide; ++j) {
-      const double u = (i + 0.5) / kSide, phi = (j + 0.5) / kSide * kPi;
-      directions.push_back(glm::normalize(made * glm::dvec3(std::sqrt(u) * std::cos(phi), std::sqrt(u) * std::sin(phi), std::sqrt(1 - u))));
-    }
-  const CosineFit fit = fitCosine(directions, std::vector<double>(directions.size(), 1.0));
-  ASSERT_TRUE(fit.known);
-  // The frame may be another; the lobe is the matrix times its transpose up to a scale, on the axis of z.
-  const glm::dvec3 a = glm::normalize(made[2]), b = glm::normalize(fit.matrix[2]);
-  EXPECT_GT(glm::dot(a, b), 0.99);
-  for (const double x : {-0.4, 0.0, 0.5})
-    for (const double y : {0.0, 0.3}) {
-      const glm::dvec3 w = glm::normalize(glm::dvec3(x, y, 1));
-      const auto density = [&](const glm::dmat3& m) {
-        const glm::dvec3 c = glm::inverse(m) * w;
-        return std::max(c.z, 0.0) / glm::length(c) / (std::abs(glm::determinant(m)) * std::pow(glm::length(c), 3));
-      };
-      EXPECT_NEAR(density(fit.matrix), density(made), 0.06 * density(made)) << x << " " << y;
-    }
-  EXPECT_FALSE(fitCosine({{0, 0, 1}}, {0.0}).known);
+  const auto density = [](const glm::dmat3& m, const glm::dvec3& w) {
+    const glm::dvec3 c = glm::inverse(m) * w;
+    return std::max(c.z, 0.0) / kPi / (std::abs(glm::determinant(m)) * std::pow(glm::length(c), 4));
+  };
+  for (const double angle : {0.2, 1.2}) {
+    const glm::dvec3 Z(std::sin(angle), 0, std::cos(angle)), X(Z.z, 0, -Z.x);
+    const glm::dmat3 made(0.3 * X, glm::dvec3(0, 0.4, 0), Z + 0.1 * X);
+    std::vector<LobeSample> samples;
+    double above = 0;
+    constexpr int kRings = 200;
+    for (int i = 0; i < kRings; ++i)
+      for (int j = 0; j < kRings; ++j) {
+        const double z = (i + 0.5) / kRings, phi = (j + 0.5) / kRings * kPi, r = std::sqrt(1 - z * z);
+        samples.push_back({{r * std::cos(phi), r * std::sin(phi), z}, 2 * kPi / (kRings * kRings), 0});
+        samples.back().sent = 0.7 * density(made, samples.back().direction);
+        above += density(made, samples.back().direction) * samples.back().solidAngle;
+      }
+    const CosineFit fit = fitCosine(samples);
+    ASSERT_TRUE(fit.known);
+    EXPECT_LT(fit.distance2, 1e-5);
+    EXPECT_NEAR(fit.above, above, 2e-3);
+    for (const LobeSample& s : samples) ASSERT_NEAR(density(fit.matrix, s.direction), s.sent / 0.7, 0.02 * density(made, Z)) << angle;
+    // The next search finds it where it starts.
+    const CosineFit close = fitCosine(samples, &fit);
+    EXPECT_LE(close.distance2, fit.distance2);
+  }
+  EXPECT_FALSE(fitCosine({{{0, 0, 1}, 1, 0}}).known);
+}
+
+// What the standard makes of every shape, against the reference: dielectrics and metals, small, large and cut by the horizon.
+TEST_F(LightsTest, CosinesAreNearTheReference) {
+  struct Case {
+    const char* light;
+    double dielectric, metal;   // of the light, as a mean of all pixels
+  };
+  const Case cases[] = {{"sphere:pos=1/2/2,cd=10,size=0.5", 0.02, 0.06},
+                        {"sphere:pos=0.6/0.8/1.5,cd=10,size=0.6", 0.025, 0.06},
+                        {"tube:from=-1.5/1/1.5,to=1.5/1.5/1.5,cd=10,size=0.05", 0.035, 0.09},
+                        {"tube:from=-0.5/1/1.5,to=0.8/1.2/1,cd=10,size=0.25", 0.05, 0.08},
+                        {"rectangle:pos=1/2/2,to=0/0/0,cd=10,width=2,height=1", 0.025, 0.06},
+                        {"rectangle:pos=0/1.8/0,to=0/0/0,cd=10,width=3,height=3", 0.08, 0.06}};
+  for (const Case& c : cases) {
+    const auto light = parseLight(c.light);
+    ASSERT_TRUE(light);
+    for (const float metallic : {0.0f, 1.0f})
+      for (const float roughness : {0.1f, 0.4f, 0.8f}) {
+        const Scene s = scene("ggx", {.baseColor = glm::vec3(0.9f), .metallic = metallic, .roughness = roughness}, {*light});
+        const ImageF fast = draw(s, AreaLights::Cosines), truth = draw(s, AreaLights::Cosines, 256);
+        double off = 0, all = 0;
+        for (size_t i = 0; i < truth.data.size(); i += 3) {
+          off += std::abs(fast.data[i] - truth.data[i]);
+          all += truth.data[i];
+        }
+        EXPECT_LT(off / all, metallic > 0 ? c.metal : c.dielectric) << c.light << ", roughness " << roughness << ", metallic " << metallic;
+      }
+  }
+}
+
+// They are lit two at a time: an odd one out counts once, wherever it stands among its kind.
+TEST_F(LightsTest, OfAnyNumberAddUp) {
+  const char* texts[] = {"sphere:pos=1/2/2,cd=3,size=0.5", "tube:from=-1/1/2,to=1/1/2,cd=2,size=0.1", "rectangle:pos=-1/-1/2,to=0/0/0,cd=4"};
+  const test::Look look{.baseColor = glm::vec3(0.7f), .metallic = 0.5f, .roughness = 0.4f};
+  for (const char* model : {"ggx", "clear-coat", "subsurface"}) {
+    std::vector<float> sum;
+    std::vector<Light> lights;
+    for (const char* text : texts)
+      for (int i = 0; i < 3; ++i) {
+        Light light = *parseLight(text);
+        light.position.x += 0.3f * float(i);
+        light.color = {1, 0.5f * float(i), 0.2f};
+        lights.push_back(light);
+        const ImageF one = draw(scene(model, look, {light}), AreaLights::Cosines);
+        sum.resize(one.data.size());
+        for (size_t k = 0; k < sum.size(); ++k) sum[k] += one.data[k];
+      }
+    const ImageF all = draw(scene(model, look, lights), AreaLights::Cosines);
+    for (size_t k = 0; k < all.data.size(); ++k) ASSERT_NEAR(all.data[k], sum[k], 1e-4 * sum[k] + 1e-6) << model;
+  }
 }
 
 // The view of lights per tile: a spot is there where its cone is, and the picture is the same as of one in a larger cone.
