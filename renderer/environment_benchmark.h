@@ -16,10 +16,11 @@ class EnvironmentBenchmark {
   Diagnostics prefilter(const EnvironmentPtr&);
   // The environment BRDF; waits for the device.
   Diagnostics brdf();
-  // Of each rough level of the prefiltered cube, the root mean square difference to kReferenceSamples directions a
-  // texel, relative to the reference's root mean square.
+  // Of each rough level of the prefiltered cube, the root mean square error relative to the root mean square of the exact
+  // values: the lobe's average over every pixel of the environment. Over all texels of a level, or where it has more over an
+  // even choice of kTexels and the brightest kTexels, which an even choice would miss.
   Result<std::vector<double>> errors(const EnvironmentPtr&);
-  static constexpr int kReferenceSamples = 4096;
+  static constexpr size_t kTexels = 512;
 
  private:
   ProgramCache programs_;

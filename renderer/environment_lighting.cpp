@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLobeWidth = 1024, kAzimuths = 8;
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 5;
+constexpr uint64_t kCacheVersion = 6;
 
 // Also part of them: the recipe, so that a changed shader or number of samples never meets old results.
 uint64_t recipeHash() {
@@ -34,10 +34,9 @@ uint64_t recipeHash() {
   return hash;
 }
 
-// Of everything that is made from a model alone.
-uint64_t tableKey(const ModelSetting& setting) { return setting.key() ^ recipeHash(); }
-
 }  // namespace
+
+uint64_t EnvironmentLighting::keyOf(const ModelSetting& setting, Lobe lobe) { return setting.key() ^ recipeHash() ^ static_cast<uint64_t>(lobe); }
 
 float EnvironmentLighting::levelRoughness(int level) {
   const double t = static_cast<double>(level) / (kLevels - 1);
@@ -46,7 +45,7 @@ float EnvironmentLighting::levelRoughness(int level) {
 }
 
 int EnvironmentLighting::levelSamples(int level) {
-  constexpr int kSamples[kLevels] = {1, 64, 256, 512, 1024, 2048};
+  constexpr int kSamples[kLevels] = {1, 96, 224, 400, 768, 1536};
   return kSamples[level];
 }
 
@@ -62,9 +61,36 @@ void EnvironmentLighting::forgetUnused() {
   constexpr size_t kSpareMaps = 1, kSpareTables = 8;
   coarse_.clear();
   maps_.nextFrame(kSpareMaps);
+  rests_.nextFrame(kSpareMaps);
   prefiltered_.nextFrame(kSpareTables);
   brdf_.nextFrame(kSpareTables);
   tables_.forgetUnused();
+}
+
+gl::Texture EnvironmentLighting::drawCube(const ImageF& image, int size, float scale, const std::string& name) {
+  gl::Texture cube = gl::createTextureCube(GL_RGBA16F, size, std::bit_width(static_cast<unsigned>(size)));
+
+  // Level 0 only: a level per source pixel would blur, so a large panorama is sampled several times a texel.
+  gl::Texture equirect = gl::createTexture2D(GL_RGB32F, image.width, image.height);
+  glTextureParameteri(equirect.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+  // Row 0 is the top, which is v = 0 here as well: the shader counts v from the top.
+  glTextureSubImage2D(equirect.id(), 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT, image.data.data());
+  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/cube_from_equirect.frag", {}, {}});
+  program.set("size", static_cast<float>(size));
+  program.set("scale", scale);
+  program.set("perSide", std::clamp(image.width / (4 * size) * 2, 2, 8));
+  glBindTextureUnit(0, equirect.id());
+  gl::Framebuffer framebuffer = gl::createFramebuffer({});
+  const GLenum buffer = GL_COLOR_ATTACHMENT0;
+  glNamedFramebufferDrawBuffers(framebuffer.id(), 1, &buffer);
+  for (int face = 0; face < 6; ++face) {
+    glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, cube.id(), 0, face);
+    program.set("face", face);
+    rectangles_.drawWhole(program, framebuffer.id(), {size, size});
+    if (progress_) progress_("environment " + name, (face + 1) / 7.0);
+  }
+  glGenerateTextureMipmap(cube.id());
+  return cube;
 }
 
 const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environment) {
@@ -74,33 +100,11 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   EnvironmentMaps maps;
   // A face covers a quarter of the panorama's width.
   maps.size = std::clamp(static_cast<int>(std::bit_ceil(static_cast<unsigned>(image.width) / 4)), 16, 1024);
-  const int levels = std::bit_width(static_cast<unsigned>(maps.size));
-  maps.cube = gl::createTextureCube(GL_RGBA16F, maps.size, levels);
-
-  // Level 0 only: a level per source pixel would blur, so a large panorama is sampled several times a texel.
-  gl::Texture equirect = gl::createTexture2D(GL_RGB32F, image.width, image.height);
-  glTextureParameteri(equirect.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
-  // Row 0 is the top, which is v = 0 here as well: the shader counts v from the top.
-  glTextureSubImage2D(equirect.id(), 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT, image.data.data());
-  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/cube_from_equirect.frag", {}, {}});
-  program.set("size", static_cast<float>(maps.size));
   // Halfs end at 65504; the sun is brighter than that, the sky a million times darker.
   constexpr float kBrightest = 30000;
   const float peak = *std::max_element(image.data.begin(), image.data.end());
   maps.scale = peak > kBrightest ? kBrightest / peak : 1;
-  program.set("scale", maps.scale);
-  program.set("perSide", std::clamp(image.width / (4 * maps.size) * 2, 2, 8));
-  glBindTextureUnit(0, equirect.id());
-  gl::Framebuffer framebuffer = gl::createFramebuffer({});
-  const GLenum buffer = GL_COLOR_ATTACHMENT0;
-  glNamedFramebufferDrawBuffers(framebuffer.id(), 1, &buffer);
-  for (int face = 0; face < 6; ++face) {
-    glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, maps.cube.id(), 0, face);
-    program.set("face", face);
-    rectangles_.drawWhole(program, framebuffer.id(), {maps.size, maps.size});
-    if (progress_) progress_("environment " + environment->name, (face + 1) / 7.0);
-  }
-  glGenerateTextureMipmap(maps.cube.id());
+  maps.cube = drawCube(image, maps.size, maps.scale, environment->name);
   maps.irradiance = irradianceHarmonics(image);
   for (glm::vec4& coefficient : maps.irradiance) coefficient *= maps.scale;
   maps.irradianceBuffer = gl::createBuffer(std::as_bytes(std::span(maps.irradiance)));
@@ -129,12 +133,6 @@ GLuint EnvironmentLighting::whiteIrradiance() {
 
 std::vector<std::string> definesOf(Lobe lobe) { return lobe == Lobe::Coat ? std::vector<std::string>{"COAT"} : std::vector<std::string>{}; }
 
-namespace {
-
-uint64_t keyOf(const ModelSetting& setting, Lobe lobe) { return tableKey(setting) ^ static_cast<uint64_t>(lobe); }
-
-}  // namespace
-
 Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSetting& setting, Lobe which) {
   const auto program = programs_.get(
       Rectangles::vertexShader(), {"shaders/passes/lobe.frag", definesOf(which), {{"model", setting.shader->glsl}}});
@@ -155,7 +153,7 @@ Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSet
   std::vector<float> values(static_cast<size_t>(kLobeWidth * height));
   glGetTextureImage(color, 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * 4), values.data());
   if (const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !(v >= 0); })) {
-    int& told = invalid_[tableKey(setting)].lobe;
+    int& told = invalid_[keyOf(setting)].lobe;
     told = std::max(told, static_cast<int>(bad));
     for (float& v : values) v = v >= 0 ? v : 0;
   }
@@ -172,12 +170,12 @@ Result<std::vector<std::vector<float>>> EnvironmentLighting::lobe(const ModelSet
     stretch[static_cast<size_t>(level)] = level == 0 ? glm::vec2(0) : lobe.stretch;
     rows.push_back(std::move(around[lobe.narrowest]));
   }
-  if (!round) stretches_[tableKey(setting)] = stretch;
+  if (!round) stretches_[keyOf(setting)] = stretch;
   return rows;
 }
 
 const std::array<glm::vec2, EnvironmentLighting::kLevels>& EnvironmentLighting::stretch(const ModelSetting& setting) {
-  const uint64_t key = tableKey(setting);
+  const uint64_t key = keyOf(setting);
   if (!stretches_.contains(key)) {
     if (stretches_.size() > 1000) stretches_.clear();
     const auto rows = lobe(setting);
@@ -187,7 +185,7 @@ const std::array<glm::vec2, EnvironmentLighting::kLevels>& EnvironmentLighting::
 }
 
 Result<const LobeWidths*> EnvironmentLighting::widths(const ModelSetting& setting) {
-  const uint64_t key = tableKey(setting);
+  const uint64_t key = keyOf(setting);
   if (const auto found = widths_.find(key); found != widths_.end()) return found->second.get();
   auto made = std::make_unique<LobeWidths>();
   const auto measure = [&](Lobe which, std::array<float, kLevels>& roots) -> Diagnostics {
@@ -212,193 +210,6 @@ void LobeWidths::apply(const gl::Program& program) const {
   glProgramUniform1fv(program.id(), program.location("lobeRoots"), static_cast<GLsizei>(base.size()), base.data());
   glProgramUniform1fv(program.id(), program.location("coatRoots"), static_cast<GLsizei>(coat.size()), coat.data());
   glProgramUniform2fv(program.id(), program.location("lobeStretch"), static_cast<GLsizei>(stretch.size()), &stretch[0].x);
-}
-
-Result<gl::Texture> EnvironmentLighting::prefilter(const EnvironmentPtr& environment, const ModelSetting& setting,
-                                                   const std::array<int, kLevels>& samples, Lobe which) {
-  const auto rows = lobe(setting, which);
-  if (!rows) return rows.diagnostics();
-  const EnvironmentMaps& source = maps(environment);
-  gl::Texture cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
-  gl::Framebuffer framebuffer = gl::createFramebuffer({});
-  const GLenum buffer = GL_COLOR_ATTACHMENT0;
-  glNamedFramebufferDrawBuffers(framebuffer.id(), 1, &buffer);
-  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/prefilter.frag", {}, {}});
-  glBindTextureUnit(6, source.cube.id());
-  double done = 0, all = 0;
-  for (int level = 0; level < kLevels; ++level) all += samples[static_cast<size_t>(level)] * (kSize >> level) * (kSize >> level);
-  for (int level = 0; level < kLevels; ++level) {
-    const int size = kSize >> level;
-    const int count = samples[static_cast<size_t>(level)];
-    GLINT_CHECK(count >= 1 && count <= 4096, "{} samples", count);
-    // Level 0 is the mirror: the environment itself at this size.
-    std::vector<glm::vec4> directions =
-        level == 0 ? std::vector<glm::vec4>{glm::vec4(0, 0, 1, std::max(0.0, std::log2(double(source.size) / kSize)))}
-                   : lobeSamples((*rows)[static_cast<size_t>(level)], count, source.size);
-    const gl::Buffer block = levelSampleBuffer(directions);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 4, block.id());
-    program.set("sampleCount", static_cast<int>(directions.size()));
-    program.set("size", static_cast<float>(size));
-    for (int face = 0; face < 6; ++face) {
-      glNamedFramebufferTextureLayer(framebuffer.id(), GL_COLOR_ATTACHMENT0, cube.id(), level, face);
-      program.set("face", face);
-      rectangles_.drawWhole(program, framebuffer.id(), {size, size});
-      if (progress_) glFinish();
-      done += count * size * size / 6.0;
-      if (progress_) progress_("lighting of " + setting.shader->model->title + " by " + environment->name, std::min(1.0, done / all));
-    }
-  }
-  return cube;
-}
-
-namespace {
-
-gl::Texture bufferTexture(const gl::Buffer& buffer) {
-  GLuint id = 0;
-  glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
-  glTextureBuffer(id, GL_RGBA32F, buffer.id());
-  return gl::Texture(id);
-}
-
-// As cubeDirection() of shaders/common/cube.glsl.
-glm::vec3 cubeDirection(int face, glm::vec2 p) {
-  const glm::vec2 q = 2.0f * p - 1.0f;
-  switch (face) {
-    case 0: return {1, -q.y, -q.x};
-    case 1: return {-1, -q.y, q.x};
-    case 2: return {q.x, 1, q.y};
-    case 3: return {q.x, -1, -q.y};
-    case 4: return {q.x, -q.y, 1};
-    default: return {-q.x, -q.y, -1};
-  }
-}
-
-}  // namespace
-
-Result<std::array<double, EnvironmentLighting::kLevels>> EnvironmentLighting::prefilterError(
-    const EnvironmentPtr& environment, const ModelSetting& setting, GLuint cube) {
-  constexpr int kSamples = 65536, kMostTexels = 512;
-  const auto rows = lobe(setting);
-  if (!rows) return rows.diagnostics();
-  const EnvironmentMaps& source = maps(environment);
-  const gl::Program& program = programs_.shipped(Rectangles::vertexShader(), {"shaders/passes/prefilter_reference.frag", {}, {}});
-  std::array<double, kLevels> errors{};
-  for (int level = 1; level < kLevels; ++level) {
-    const int size = kSize >> level, texels = 6 * size * size;
-    const int count = std::min(texels, kMostTexels);
-    std::vector<float> pixels(static_cast<size_t>(texels) * 4);
-    glGetTextureImage(cube, level, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(pixels.size() * 4), pixels.data());
-    std::vector<glm::vec4> directions;
-    std::vector<int> chosen;
-    for (int i = 0; i < count; ++i) {
-      const int texel = static_cast<int>((i + 0.5) * texels / count);
-      const int face = texel / (size * size), y = texel / size % size, x = texel % size;
-      chosen.push_back(texel);
-      directions.emplace_back(glm::normalize(cubeDirection(face, (glm::vec2(x, y) + 0.5f) / static_cast<float>(size))), 0);
-    }
-    const std::vector<glm::vec4> samples = lobeSamples((*rows)[static_cast<size_t>(level)], kSamples, source.size);
-    const gl::Buffer directionBuffer = gl::createBuffer(std::as_bytes(std::span(directions)));
-    const gl::Buffer lobeBuffer = gl::createBuffer(std::as_bytes(std::span(samples)));
-    const gl::Texture directionTexture = bufferTexture(directionBuffer), lobeTexture = bufferTexture(lobeBuffer);
-    const gl::Texture target = gl::createTexture2D(GL_RGBA32F, count, 1);
-    const GLuint color = target.id();
-    const gl::Framebuffer framebuffer = gl::createFramebuffer(std::span(&color, 1));
-    glBindTextureUnit(6, source.cube.id());
-    glBindTextureUnit(8, directionTexture.id());
-    glBindTextureUnit(9, lobeTexture.id());
-    program.set("sampleCount", static_cast<int>(samples.size()));
-    program.set("sharper", 1.5f);
-    rectangles_.drawWhole(program, framebuffer.id(), {count, 1});
-    std::vector<float> reference(static_cast<size_t>(count) * 4);
-    glGetTextureImage(color, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(reference.size() * 4), reference.data());
-    double difference = 0, whole = 0;
-    for (int i = 0; i < count; ++i)
-      for (int c = 0; c < 3; ++c) {
-        const double exact = reference[static_cast<size_t>(4 * i + c)];
-        const double got = pixels[static_cast<size_t>(4 * chosen[static_cast<size_t>(i)] + c)];
-        difference += (got - exact) * (got - exact);
-        whole += exact * exact;
-      }
-    errors[static_cast<size_t>(level)] = whole > 0 ? std::sqrt(difference / whole) : 0;
-  }
-  return errors;
-}
-
-gl::Buffer EnvironmentLighting::levelSampleBuffer(const std::vector<glm::vec4>& directions) {
-  // The block's whole size: binding less than the shader declares is undefined.
-  std::vector<glm::vec4> padded = directions;
-  padded.resize(4096);
-  return gl::createBuffer(std::as_bytes(std::span(padded)));
-}
-
-namespace {
-
-// On disk lie the levels from 1 on; level 0 is the environment, which is at hand.
-size_t levelBytes(int level) {
-  const auto size = static_cast<size_t>(EnvironmentLighting::kSize >> level);
-  return size * size * 6 * 8;
-}
-size_t storedBytes() {
-  size_t total = 0;
-  for (int level = 1; level < EnvironmentLighting::kLevels; ++level) total += levelBytes(level);
-  return total;
-}
-
-std::string levelsOf(const gl::Texture& cube) {
-  std::string bytes(storedBytes(), '\0');
-  size_t offset = 0;
-  for (int level = 1; level < EnvironmentLighting::kLevels; ++level) {
-    glGetTextureImage(cube.id(), level, GL_RGBA, GL_HALF_FLOAT, static_cast<GLsizei>(levelBytes(level)), bytes.data() + offset);
-    offset += levelBytes(level);
-  }
-  return bytes;
-}
-
-// Of a table that is coarse beside the one that is not.
-constexpr uint64_t kCoarseKey = 0x9e3779b97f4a7c15;
-
-}  // namespace
-
-gl::Texture EnvironmentLighting::storedCube(const EnvironmentPtr& environment, uint64_t key) {
-  const auto stored = diskCache_ ? readCache("prefiltered", key) : std::nullopt;
-  if (!stored || stored->size() != storedBytes()) return {};
-  const EnvironmentMaps& source = maps(environment);
-  if (source.size < kSize) return {};
-  gl::Texture cube = gl::createTextureCube(GL_RGBA16F, kSize, kLevels);
-  size_t offset = 0;
-  for (int level = 1; level < kLevels; ++level) {
-    glTextureSubImage3D(cube.id(), level, 0, 0, 0, kSize >> level, kSize >> level, 6, GL_RGBA, GL_HALF_FLOAT, stored->data() + offset);
-    offset += levelBytes(level);
-  }
-  const int sourceLevel = std::max(0, static_cast<int>(std::bit_width(static_cast<unsigned>(source.size / kSize))) - 1);
-  glCopyImageSubData(source.cube.id(), GL_TEXTURE_CUBE_MAP, sourceLevel, 0, 0, 0, cube.id(), GL_TEXTURE_CUBE_MAP, 0, 0, 0, 0, kSize, kSize, 6);
-  return cube;
-}
-
-Result<GLuint> EnvironmentLighting::prefiltered(const EnvironmentPtr& environment, const ModelSetting& setting, Lobe which, TableQuality quality) {
-  constexpr int kOwnLobeSamples = 256, kCoarser = 8;
-  const uint64_t modelKey = keyOf(setting, which);
-  uint64_t key = hashBytes(&modelKey, 8, environment->hash);
-  if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
-  if (gl::Texture cube = storedCube(environment, key)) return prefiltered_.put(key, std::move(cube)).id();
-
-  const bool coarse = quality == TableQuality::Coarse;
-  if (coarse) {
-    coarse_.push_back({environment, setting, which});
-    key ^= kCoarseKey;
-    if (const gl::Texture* found = prefiltered_.find(key)) return found->id();
-  }
-  std::array<int, kLevels> samples;
-  for (int level = 0; level < kLevels; ++level) {
-    int& count = samples[static_cast<size_t>(level)];
-    count = setting.shader->model->reads("roughness") ? levelSamples(level) : level == kOwnLobeLevel ? kOwnLobeSamples : 1;
-    if (coarse) count = std::max(1, count / kCoarser);
-  }
-  auto cube = prefilter(environment, setting, samples, which);
-  if (!cube) return cube.diagnostics();
-  // What is wrong is not kept, so that it is said whenever it is drawn.
-  if (!coarse && diskCache_ && invalid(setting).lobe == 0) writeCache("prefiltered", key, levelsOf(*cube));
-  return prefiltered_.put(key, std::move(*cube)).id();
 }
 
 bool EnvironmentLighting::refineOne() {
@@ -479,7 +290,7 @@ Result<EnvironmentLighting::BrdfTable> EnvironmentLighting::brdf(const ModelSett
     bad += texel(0).a == 0;
     grey.emplace_back(texel(0).g, texel(1).g, texel(2).g, texel(1).a);
   }
-  if (bad) invalid_[tableKey(setting)].brdf = bad;
+  if (bad) invalid_[keyOf(setting)].brdf = bad;
   made.texture = gl::createTexture2D(GL_RGBA16F, kBrdfSize, made.colored ? 3 * kBrdfSize : kBrdfSize);
   if (made.colored) glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, 3 * kBrdfSize, GL_RGBA, GL_HALF_FLOAT, halfs.data());
   else glTextureSubImage2D(made.texture.id(), 0, 0, 0, kBrdfSize, kBrdfSize, GL_RGBA, GL_FLOAT, grey.data());
@@ -512,7 +323,7 @@ Result<std::string> EnvironmentLighting::drawBrdf(const ModelSetting& setting, L
 }
 
 EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {
-  const auto found = invalid_.find(tableKey(setting));
+  const auto found = invalid_.find(keyOf(setting));
   return found == invalid_.end() ? Invalid{} : found->second;
 }
 

@@ -40,6 +40,9 @@ struct EnvironmentMaps {
   gl::Buffer irradianceBuffer;
 };
 
+// The direction of a point of a cube map's face, from 0 to 1 both ways: as cubeDirection() of shaders/common/cube.glsl.
+glm::vec3 cubeDirection(int face, glm::vec2);
+
 // How wide a model's lobes are, for who draws directions from them (shaders/common/reference.glsl).
 struct LobeWidths;
 
@@ -100,22 +103,34 @@ class EnvironmentLighting {
   // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
   Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples, Lobe = Lobe::Base);
 
-  // The relative RMS error of each level of a prefiltered cube, against 65,536 samples a texel: over all texels of a
-  // level, or over an even choice of 512 where there are more. Level 0 is not filtered and has none.
-  Result<std::array<double, kLevels>> prefilterError(const EnvironmentPtr&, const ModelSetting&, GLuint cube);
 
  private:
-  gl::Buffer levelSampleBuffer(const std::vector<glm::vec4>&);
+  // What prefilter() draws its samples from, for lobes of some width: the environment without its spots, which it adds by
+  // themselves.
+  enum class Spots { None, Small, Large };
+  struct Rest {
+    gl::Texture cube;      // none: there are no spots
+    int size = 0;
+    gl::Buffer spots;      // of shaders/passes/prefilter.frag
+    int spotCount = 0;
+  };
+  const Rest& rest(const EnvironmentPtr&, Spots);
+  // With a full mip chain, in units of `scale`.
+  gl::Texture drawCube(const ImageF& equirect, int size, float scale, const std::string& name);
 
   ProgramCache& programs_;
   const Rectangles& rectangles_;
   bool diskCache_;
   Progress progress_;
   ModelTables tables_;
+  // Of everything that is made from a model alone; another than its own for what is coarse.
+  static uint64_t keyOf(const ModelSetting&, Lobe = Lobe::Base);
+  static constexpr uint64_t kCoarseKey = 0x9e3779b97f4a7c15;
   gl::Texture storedCube(const EnvironmentPtr&, uint64_t key);   // none: it is not on disk
   gl::Texture blackCube_, whiteCube_;
   gl::Buffer whiteHarmonics_;
   RecentlyUsed<EnvironmentMaps> maps_;
+  RecentlyUsed<Rest> rests_;
   struct StoredBrdf {
     gl::Texture texture;
     bool colored = false;

@@ -1,7 +1,6 @@
 #include "renderer/lobe.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "materials/base/check.h"
@@ -11,15 +10,8 @@ namespace {
 
 constexpr double kHalfPi = 1.57079632679489662, kTau = 6.28318530717958648;
 
-// Van der Corput's sequence in base 2.
-double radicalInverse(uint32_t i) {
-  i = (i << 16) | (i >> 16);
-  i = ((i & 0x55555555u) << 1) | ((i & 0xAAAAAAAAu) >> 1);
-  i = ((i & 0x33333333u) << 2) | ((i & 0xCCCCCCCCu) >> 2);
-  i = ((i & 0x0F0F0F0Fu) << 4) | ((i & 0xF0F0F0F0u) >> 4);
-  i = ((i & 0x00FF00FFu) << 8) | ((i & 0xFF00FF00u) >> 8);
-  return i * 0x1p-32;
-}
+// Turning by it each time fills a disc evenly (Vogel 1979, "A better way to construct the sunflower head").
+constexpr double kGolden = 0.61803398874989485;
 
 // The lower end of an entry's interval.
 double edgeAngle(size_t i, size_t size) {
@@ -90,16 +82,23 @@ std::vector<glm::vec4> lobeSamples(std::span<const float> kernel, int count, int
     // Uniform in solid angle within the interval.
     const double cosine = std::cos(edge(i)) + share * (std::cos(edge(i + 1)) - std::cos(edge(i)));
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    const double phi = kTau * radicalInverse(static_cast<uint32_t>(s));
+    const double phi = kTau * std::fmod(s * kGolden, 1.0);
     // Density per steradian: kernel / (2 pi mass).
     const double density = kernel[i] / (kTau * mass[n]);
     const double solidAngle = 1 / (count * std::max(density, 1e-12));
-    // Half a level up: neighbouring samples' texels overlap instead of leaving gaps (measured: see the error that
-    // env.prefilter prints).
-    const double level = std::max(0.0, 0.5 * std::log2(solidAngle / texel) + 0.5);
+    // A little below the level whose texels would just tile the lobe: above it pictures blur, below it samples leave gaps
+    // (measured over nine levels from -1 to 1: see the error that env.prefilter prints).
+    const double level = std::max(0.0, 0.5 * std::log2(solidAngle / texel) - 0.25);
     samples.emplace_back(sine * std::cos(phi), sine * std::sin(phi), cosine, level);
   }
   return samples;
+}
+
+std::vector<float> lobeDensity(std::span<const float> kernel) {
+  const double mass = massOf(kernel).back();
+  std::vector<float> density;
+  for (const float k : kernel) density.push_back(mass > 0 ? static_cast<float>(std::max(0.0f, k) / (kTau * mass)) : 0.0f);
+  return density;
 }
 
 }  // namespace glint

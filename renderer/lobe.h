@@ -13,6 +13,9 @@ namespace glint {
 // texels a side whose texels cover the solid angle that the sample stands for. A lobe of zeros yields the axis.
 std::vector<glm::vec4> lobeSamples(std::span<const float> kernel, int count, int sourceSize);
 
+// Such a kernel per steradian, its integral over the sphere 1; zeros for a lobe of zeros.
+std::vector<float> lobeDensity(std::span<const float> kernel);
+
 // A lobe around +Z that is not round: `rows` are kernels as above, one for each of the azimuths pi k / rows.size().
 struct StretchedLobe {
   size_t narrowest = 0;      // the row
