@@ -1,5 +1,6 @@
 #include "renderer/device_textures.h"
 
+#include <cmath>
 #include <tuple>
 
 #include "renderer/normal_variance.h"
@@ -64,8 +65,8 @@ GLuint DeviceTextures::texture(const Image8Ptr& image, ColorSpace space, bool va
   return found->second.texture.id();
 }
 
-GLuint DeviceTextures::sampler(Filter filter, Wrap s, Wrap t) {
-  const auto key = std::make_tuple(filter, s, t);
+GLuint DeviceTextures::sampler(Filter filter, Wrap s, Wrap t, float bias) {
+  const auto key = std::make_tuple(filter, s, t, bias);
   auto found = samplers_.find(key);
   if (found == samplers_.end()) {
     const bool linear = filter == Filter::Linear;
@@ -73,13 +74,16 @@ GLuint DeviceTextures::sampler(Filter filter, Wrap s, Wrap t) {
                 .emplace(key, gl::createSampler(linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST,
                                                 linear ? GL_LINEAR : GL_NEAREST, wrapMode(s), wrapMode(t)))
                 .first;
+    glSamplerParameterf(found->second.id(), GL_TEXTURE_LOD_BIAS, bias);
   }
   return found->second.id();
 }
 
-void DeviceTextures::bind(GLuint unit, const Image8Ptr& image, const TextureSlot& slot, bool normalVariance) {
-  glBindTextureUnit(unit, texture(image, slot.colorSpace, normalVariance && slot.normals));
-  glBindSampler(unit, sampler(slot.filter, slot.wrapS, slot.wrapT));
+void DeviceTextures::bind(GLuint unit, const Image8Ptr& image, const TextureSlot& slot, float normalShare) {
+  const bool variance = slot.normals && normalShare > 0;
+  glBindTextureUnit(unit, texture(image, slot.colorSpace, variance));
+  // A level is a quarter of the pixels of the one before.
+  glBindSampler(unit, sampler(slot.filter, slot.wrapS, slot.wrapT, variance ? 0.5f * std::log2(normalShare) : 0.0f));
 }
 
 void DeviceTextures::forgetUnused() {

@@ -43,6 +43,28 @@ BenchCase shadowCase(const std::string& name, const std::string& doc, bool turni
           }};
 }
 
+// frame.dir with antialiasing: of highlights, or of the edges of a view that turns.
+BenchCase antialiasingCase(const std::string& name, const std::string& doc, bool turning) {
+  return {name, doc, [=](BenchSetup& setup) -> Result<Measurement> {
+            const auto model = plainModel(setup.libraries);
+            if (!model) return model.diagnostics();
+            auto scene = standardScene({*model}, setup.libraries);
+            if (!scene) return scene.diagnostics();
+            scene->lights.push_back(standardSun());
+            View view = standardView(*scene);
+            RenderSettings settings = plainSettings();
+            settings.specularAntialiasing = !turning;
+            settings.temporal = turning;
+            float turn = 0;
+            Measurement result = measure(name, setup.effort, [&] {
+              if (turning) view.camera.eye.x = 0.01f * ++turn;
+              setup.renderer().drawToTexture({&view, 1}, kStandardSize, settings);
+            });
+            if (hasErrors(setup.renderer().problems())) return setup.renderer().problems();
+            return result;
+          }};
+}
+
 Result<Scene> litScene(BenchSetup& setup, const std::vector<ModelPtr>& models, bool sun, bool environment, int points, LightKind kind = LightKind::Point) {
   auto scene = standardScene(models, setup.libraries);
   if (!scene) return scene;
@@ -92,6 +114,8 @@ std::vector<BenchCase> frameCases(const ModelRegistry& models) {
                                     fmt::format("arithmetic {:.1f}, fill {:.1f}, triangles {:.1f} ms", arithmetic, fill, triangles));
                    }});
   cases.push_back(frameCase("frame.dir", "the standard scene at 1280x720 under one directional light", true, false, 0));
+  cases.push_back(antialiasingCase("frame.dir.specular-aa", "frame.dir with roughness widened against glitter", false));
+  cases.push_back(antialiasingCase("frame.dir.temporal", "frame.dir with a camera that moves, averaged with the pictures before", true));
   cases.push_back(frameCase("frame.env", "under the studio environment", false, true, 0));
   cases.push_back(frameCase("frame.both", "under both", true, true, 0));
   cases.push_back(shadowCase("frame.shadow", "frame.dir with shadows, contact shadows and occlusion, nothing moving", false));

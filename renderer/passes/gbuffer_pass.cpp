@@ -38,13 +38,14 @@ void GbufferPass::bindMaterial(const Frame& frame, const ReadyView& r, const gl:
   program.set4("standardParameters", r.groups[static_cast<size_t>(group)].setting.slots.data());
   if (material.compiled->blockSize > 0)
     frame.uploads.bind(GL_UNIFORM_BUFFER, kMaterialParametersBinding, r.materialBlocks[index], material.block.size());
-  program.set("pixelShare", 1.0f / static_cast<float>(std::max(1, frame.settings.samples)));
+  const float share = 1.0f / static_cast<float>(std::max(1, frame.settings.samples));
+  program.set("pixelShare", share);
   glm::vec4 chosen(0);
   if (const int slot = material.model->coatRoughnessSlot(); slot >= 0) chosen[slot] = 1;
   program.set4("coatRoughnessSlot", &chosen.x);
   const auto& slots = material.compiled->textures;
   for (size_t i = 0; i < slots.size(); ++i)
-    textures_.bind(static_cast<GLuint>(kFirstMaterialTexture + static_cast<int>(i)), i < material.textures.size() ? material.textures[i] : nullptr, slots[i], frame.widensLobes());
+    textures_.bind(static_cast<GLuint>(kFirstMaterialTexture + static_cast<int>(i)), i < material.textures.size() ? material.textures[i] : nullptr, slots[i], frame.widensLobes() ? share : 0.0f);
 }
 
 void GbufferPass::draw(Frame& frame) {

@@ -18,6 +18,7 @@ uniform mat4 pastClipFromWorld;   // without jitter
 uniform vec4 pastDepthTerms;      // as view.depthTerms
 #endif
 
+const ivec2 kCross[5] = ivec2[5](ivec2(0), ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
 const float kNothing = 60000.0;   // metres, for half floats: no surface
 
 vec3 yCoCg(vec3 c) { return vec3(0.25 * c.r + 0.5 * c.g + 0.25 * c.b, 0.5 * (c.r - c.b), -0.25 * c.r + 0.5 * c.g - 0.25 * c.b); }
@@ -41,22 +42,21 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy), nearestPixel = pixel;
   float nearest = 1.0;
   vec3 mean = vec3(0.0), square = vec3(0.0), least = vec3(1e6), most = vec3(-1e6);
-  for (int y = -1; y <= 1; ++y)
-    for (int x = -1; x <= 1; ++x) {
-      ivec2 near = clamp(pixel + ivec2(x, y), viewRectangle.xy, viewRectangle.zw - 1);
-      float depth = texelFetch(gDepth, near, 0).r;
-      if (depth < nearest) {
-        nearest = depth;
-        nearestPixel = near;
-      }
-#ifndef REMEMBER
-      vec3 c = yCoCg(texelFetch(current, near, 0).rgb);
-      mean += c / 9.0;
-      square += c * c / 9.0;
-      least = min(least, c);
-      most = max(most, c);
-#endif
+  for (int i = 0; i < 5; ++i) {
+    ivec2 near = clamp(pixel + kCross[i], viewRectangle.xy, viewRectangle.zw - 1);
+    float depth = texelFetch(gDepth, near, 0).r;
+    if (depth < nearest) {
+      nearest = depth;
+      nearestPixel = near;
     }
+#ifndef REMEMBER
+    vec3 c = yCoCg(texelFetch(current, near, 0).rgb);
+    mean += c / 5.0;
+    square += c * c / 5.0;
+    least = min(least, c);
+    most = max(most, c);
+#endif
+  }
   bool surface = nearest < 1.0;
   float metres = surface ? min(linearDepth(nearest), kNothing) : kNothing;
   vec4 now = texelFetch(current, pixel, 0);

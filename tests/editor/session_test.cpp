@@ -268,6 +268,7 @@ TEST(Preview, ReadsBackWhatItWroteAndForgivesDamage) {
   preview.shadows = Shadows::Maps;
   preview.materialOcclusion = preview.screenOcclusion = false;
   preview.ground = Ground::Shadow;
+  preview.antialiasing = preview.specularAntialiasing = false;
   preview.tonemap = Tonemap::AgX;
   preview.exposure = -1.5f;
   Diagnostics warnings;

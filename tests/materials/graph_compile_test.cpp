@@ -323,6 +323,65 @@ TEST(Compile, TexturesAreSlotsAndStayInTheFolder) {
                               {.valuesAsUniforms = false, .namedFiles = {"/tmp/picked.png"}}));
 }
 
+// What normal maps average is known as far as it can be followed; a picture that is read for anything else keeps its alpha.
+TEST(Compile, NormalsTellHowMuchTheyVary) {
+  Material m = newMaterial("m");
+  m.file = std::filesystem::path(GLINT_TESTS_OUT) / "folder" / "m.json";
+  const auto sample = [&](const std::string& id) {
+    Node& node = add(m, id, "texture-sample");
+    node.settings["file"] = Json::of("n.png");
+    node.settings["colorSpace"] = Json::of("linear");
+  };
+  sample("bumps");
+  add(m, "map", "normal-map");
+  add(m, "flatten", "flatten-normal");
+  add(m, "both", "blend-normals");
+  wire(m, "bumps.color", "map.color");
+  wire(m, "map.normal", "both.base");
+  wire(m, "map.normal", "flatten.normal");
+  wire(m, "flatten.value", "both.detail");
+  wire(m, "both.normal", "output.normal");
+  constant(m, "map.strength", Value::scalar(2));
+  const auto compiled = test::compile(m);
+  ASSERT_TRUE(compiled) << test::texts(compiled.diagnostics());
+  ASSERT_EQ(compiled->textures.size(), 1u);
+  EXPECT_TRUE(compiled->textures[0].normals);
+  EXPECT_THAT(compiled->glsl, AllOf(HasSubstr("n_bumps_variance = (1.0 - "), HasSubstr("n_map_variance = n_bumps_variance * 2.0 * 2.0;"),
+                                    HasSubstr("n_both_variance = n_map_variance + n_flatten_variance;"), HasSubstr("m.normalVariance = n_both_variance;")));
+
+  // A second reader of the same picture has a texture of its own, whose alpha is the file's.
+  sample("height");
+  wire(m, "height.a", "output.cavity");
+  const auto two = test::compile(m);
+  ASSERT_TRUE(two) << test::texts(two.diagnostics());
+  ASSERT_EQ(two->textures.size(), 2u);
+  EXPECT_NE(two->textures[0].normals, two->textures[1].normals);
+
+  wire(m, "bumps.a", "output.roughness");
+  const auto read = test::compile(m);
+  ASSERT_TRUE(read) << test::texts(read.diagnostics());
+  ASSERT_EQ(read->textures.size(), 1u);
+  EXPECT_FALSE(read->textures[0].normals);
+  EXPECT_THAT(read->glsl, Not(HasSubstr("normalVariance")));
+}
+
+TEST(Compile, LayersBlendWhatTheirNormalsVary) {
+  Material m = newMaterial("m");
+  m.file = std::filesystem::path(GLINT_TESTS_OUT) / "folder" / "m.json";
+  add(m, "bumps", "texture-sample").settings["file"] = Json::of("n.png");
+  add(m, "map", "normal-map");
+  add(m, "rough", "make-attributes");
+  add(m, "plain", "make-attributes");
+  add(m, "blend", "blend-attributes");
+  wire(m, "bumps.color", "map.color");
+  wire(m, "map.normal", "rough.normal");
+  wire(m, "plain.attributes", "blend.a");
+  wire(m, "rough.attributes", "blend.b");
+  constant(m, "blend.mask", Value::scalar(0.25f));
+  wire(m, "blend.attributes", "output.attributes");
+  EXPECT_THAT(glsl(m), HasSubstr("mix(0.0, n_map_variance, 0.25)"));
+}
+
 TEST(Compile, TooManyTexturesNameTheNode) {
   Material m = newMaterial("m");
   std::string last;

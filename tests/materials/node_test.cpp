@@ -51,6 +51,14 @@ TEST(NodeKind, ReadsAHead) {
   EXPECT_EQ(kind->function, "node_twice");
 }
 
+TEST(NodeKind, VarianceIsOfOneNormal) {
+  std::string text = kGood;
+  text.replace(text.find("\"inputs\""), 0, "\"variance\": \"x\", ");
+  const auto kind = parseNodeKind("f.glsl", text);
+  ASSERT_FALSE(kind);
+  EXPECT_THAT(test::texts(kind.diagnostics()), HasSubstr("'variance' is of one normal"));
+}
+
 TEST(NodeKind, EveryFaultOfAHeadIsReported) {
   const auto kind = parseNodeKind("f.glsl", R"(/*glint
 { "id": "bad id", "category": "Math", "dox": "x",
