@@ -90,6 +90,36 @@ TEST_F(EditorTest, ScreenshotShowsTheEditor) {
   EXPECT_EQ(ui().screenshot(), picture) << "nothing changed, so nothing moves";
 }
 
+// A view that has been turned comes to rest as the average that it would be anyway; without antialiasing it is one picture.
+TEST_F(EditorTest, ATurnedViewComesToRestSmooth) {
+  begin();
+  ASSERT_TRUE(ui().settle());
+  const ImVec2 view = ui().at("Viewport/view");
+  ui().drag(view, {view.x + 80, view.y});
+  ui().move({4, 4});
+  ASSERT_TRUE(ui().settle());
+  const int samples = ui().editor().shown().samples;
+  EXPECT_GE(samples, 8);
+  const Image8 smooth = ui().screenshot();
+  const auto choose = [&](bool on) {
+    Preview preview = document().preview();
+    preview.antialiasing = on;
+    document().setPreview("Antialiasing", preview);
+    ui().frames(2);
+    EXPECT_TRUE(ui().settle());
+  };
+  choose(false);
+  EXPECT_EQ(ui().editor().shown().samples, 1);
+  choose(true);
+  EXPECT_EQ(ui().editor().shown().samples, samples);
+  const ui::Rect drawn = ui().rect("Viewport/view");
+  const Image8 again = ui().screenshot();
+  int different = 0;
+  for (int y = int(drawn.low.y) + 40; y < int(drawn.high.y) - 4; ++y)
+    for (int x = int(drawn.low.x) + 4; x < int(drawn.high.x) - 4; ++x) different += !std::equal(smooth.at(x, y), smooth.at(x, y) + 3, again.at(x, y));
+  EXPECT_EQ(different, 0) << "nothing is left of how it came there";
+}
+
 TEST_F(EditorTest, TheLayoutIsDraggedAndRemembered) {
   begin();
   const ui::Rect bar = ui().rect("splitter0"), before = ui().rect("Viewport/view");

@@ -136,13 +136,12 @@ TEST_F(AntialiasingTest, AHighlightSmallerThanAPixelDoesNotFlicker) {
   const Scene scene = sphereOf("ggx", 0.1f);
   const double truth = total(draw(scene, ahead(24), 24, widened(false, 1024)));
   const Flicker aliased = flicker(scene, 24, widened(false)), smooth = flicker(scene, 24, widened());
-  printf("  deviation %.3f, widened %.3f; mean %.3f, widened %.3f\n", aliased.deviation, smooth.deviation, aliased.mean / truth, smooth.mean / truth);
+  // Measured: 3.03 and 0.14, means 1.34 and 1.006.
   EXPECT_GT(aliased.deviation, 1);
   EXPECT_LT(smooth.deviation, 0.3);
   EXPECT_NEAR(smooth.mean / truth, 1, 0.05);
   // Of four pictures each has a quarter of the pixel, and none is wider than it must be.
   const Flicker four = flicker(scene, 24, widened(true, 4));
-  printf("  of four pictures %.3f, mean %.3f\n", four.deviation, four.mean / truth);
   EXPECT_LT(four.deviation, 0.6);
   EXPECT_NEAR(four.mean / truth, 1, 0.05);
 }
@@ -150,12 +149,10 @@ TEST_F(AntialiasingTest, AHighlightSmallerThanAPixelDoesNotFlicker) {
 TEST_F(AntialiasingTest, BothWidthsOfALobeAndACoatAreWidened) {
   const Scene stretched = sphereOf("ggx-anisotropic", 0.1f);
   const double before = flicker(stretched, 24, widened(false)).deviation, after = flicker(stretched, 24, widened()).deviation;
-  printf("  anisotropic %.3f, widened %.3f\n", before, after);
   EXPECT_LT(after, 0.5 * before);
   Scene coated = sphereOf("clear-coat", 1, {Value::scalar(1), Value::scalar(0.1f)});
   coated.materials[0].block = test::material(models->find("ggx"), {.baseColor = glm::vec3(0), .roughness = 1, .specular = 0}).block;
   const double bare = flicker(coated, 24, widened(false)).deviation, wide = flicker(coated, 24, widened()).deviation;
-  printf("  coat %.3f, widened %.3f\n", bare, wide);
   EXPECT_LT(wide, 0.3 * bare);
 }
 
@@ -166,13 +163,11 @@ TEST_F(AntialiasingTest, ANormalMapFarAwayKeepsTheWidthOfItsLobe) {
   const Camera camera = ahead(64, glm::vec2(0), 2);
   const ImageF truth = reduced(draw(scene, camera, 1024, widened(false)), 16);
   const ImageF aliased = draw(scene, camera, 64, widened(false)), smooth = draw(scene, camera, 64, widened());
-  printf("  error %.3f, widened %.3f; mean %.3f, widened %.3f\n", distance(aliased, truth), distance(smooth, truth), total(aliased) / total(truth),
-         total(smooth) / total(truth));
+  // Measured: 0.071 and 0.255, means 0.96 and 0.83.
   EXPECT_LT(distance(smooth, truth), 0.6 * distance(aliased, truth));
   EXPECT_NEAR(total(smooth) / total(truth), 1, 0.1);
   // Of several pictures each sees finer bumps, and together they show what one cannot: which pixels have the steep ones.
   const ImageF sixteen = draw(scene, camera, 64, widened(true, 16));
-  printf("  of 16 pictures error %.3f, mean %.3f\n", distance(sixteen, truth), total(sixteen) / total(truth));
   EXPECT_LT(distance(sixteen, truth), distance(smooth, truth));
   EXPECT_NEAR(total(sixteen) / total(truth), 1, 0.1);
   // Near by there is nothing to add.
@@ -285,7 +280,7 @@ TEST_F(EdgesTest, OfAnAverageAreNearerTheReference) {
   const Scene scene = cubes();
   const Image8 truth = picture(scene, orbit(20), 256);
   const double one = distance(picture(scene, orbit(20), 1), truth), eight = distance(picture(scene, orbit(20), 8), truth), sixteen = distance(picture(scene, orbit(20), 16), truth);
-  printf("  error of 1 picture %.3f, of 8 %.3f, of 16 %.3f (of 255)\n", one, eight, sixteen);
+  // Measured, of 255: 2.1 and 6.6.
   EXPECT_LT(eight, 0.4 * one);
   EXPECT_LT(sixteen, eight);
 }
@@ -297,12 +292,38 @@ TEST_F(EdgesTest, OfAViewThatMovesAreNearerTheReference) {
   const Camera last = orbit(20 + 0.7f * 12);
   const Image8 truth = picture(scene, last, 256);
   const double aliased = distance(picture(scene, last, 1), truth), smooth = distance(moving, truth);
-  printf("  error of 1 picture %.3f, of those that moved %.3f (of 255)\n", aliased, smooth);
   EXPECT_LT(smooth, 0.7 * aliased);
   // A view that stays is as good as many pictures.
   for (int i = 0; i < 24; ++i) moving = next(scene, last);
-  printf("  and stayed %.3f\n", distance(moving, truth));
   EXPECT_LT(distance(moving, truth), 0.4 * aliased);
+}
+
+// Each view of a picture has a past of its own, in either projection, with the surroundings behind it.
+TEST_F(EdgesTest, OfSeveralViewsThatMoveAreEachItsOwn) {
+  Scene scene = cubes();
+  scene.environment = test::uniformEnvironment(0.2f);
+  const auto views = [&](float degrees) {
+    Camera far = orbit(degrees + 15);
+    far.orthoHeight = 2.5f;
+    return std::array{View{&scene, orbit(degrees), {0, 0, kSide / 2, kSide}}, View{&scene, far, {kSide / 2, 0, kSide / 2, kSide}}};
+  };
+  RenderSettings s = following();
+  s.background = Background::Environment;
+  Image8 moving;
+  for (int i = 0; i <= 12; ++i) moving = shown(renderer->drawToTexture(views(20 + 0.4f * static_cast<float>(i)), {kSide, kSide}, s));
+  const auto last = views(20 + 0.4f * 12);
+  s.samples = 256;
+  const Image8 truth = renderer->picture(last, {kSide, kSide}, s);
+  s.samples = 1;
+  const Image8 aliased = renderer->picture(last, {kSide, kSide}, s);
+  const auto half = [](const Image8& image, int x0) {
+    Image8 part(kSide / 2, kSide, 3);
+    for (int y = 0; y < kSide; ++y) std::copy_n(image.at(x0, y), 3 * kSide / 2, part.at(0, y));
+    return part;
+  };
+  for (const int x0 : {0, kSide / 2}) {
+    EXPECT_LT(distance(half(moving, x0), half(truth, x0)), 0.7 * distance(half(aliased, x0), half(truth, x0)));
+  }
 }
 
 // After a jump the picture is no worse than one that has nothing before it, of any of the offsets within the pixel.
@@ -322,7 +343,6 @@ TEST_F(EdgesTest, NothingIsLeftOfWhatIsGone) {
     forget(scene);
     without += distance(next(other, orbit(20)), emptied);
   }
-  printf("  after a jump %.3f, with nothing before %.3f; of what went away %.3f, with nothing before %.3f\n", jump / 16, fresh / 16, gone / 16, without / 16);
   EXPECT_LT(jump, 1.35 * fresh);
   EXPECT_LT(gone, without);
 }
@@ -346,7 +366,6 @@ TEST_F(EdgesTest, OfAViewThatRestsAreThoseOfTheAverage) {
     still = refined(scene, camera, sample, following());
     worst = std::max(worst, distance(still, truth));
   }
-  printf("  the worst on the way to rest %.3f, of 1 picture %.3f\n", worst, aliased);
   EXPECT_EQ(still, picture(scene, camera, 8));
   EXPECT_LT(worst, 0.7 * aliased) << "it does not get rough on the way";
 
