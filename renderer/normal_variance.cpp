@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "renderer/parallel.h"
+
 namespace glint {
 namespace {
 
@@ -13,9 +15,10 @@ using Normals = Pixels<float>;
 constexpr float kRounding = 4.0f / (255 * 255 * 12);
 
 glm::vec3 decoded(const uint8_t* p) {
-  const glm::vec2 xy = 2.0f * glm::vec2(p[0], p[1]) / 255.0f - 1.0f;
   // Eight bits have no zero: what is flat reads as (1, 1) / 255.
-  return glm::normalize(glm::vec3(xy, std::max(std::sqrt(std::max(1 - glm::dot(xy, xy), 0.0f)), 1e-3f)));
+  const glm::vec2 xy = glm::vec2(p[0], p[1]) * (2.0f / 255) - 1.0f;
+  const float z2 = 1 - glm::dot(xy, xy);
+  return z2 > 0 ? glm::vec3(xy, std::sqrt(z2)) : glm::vec3(glm::normalize(xy), 0);
 }
 
 // The texels of the larger level that one of the smaller covers, along one axis: two, or three where the size is odd.
@@ -27,7 +30,8 @@ Span spanOf(int texel, int size, int larger) { return {texel * larger / size, ((
 template <class At>
 Normals halved(int width, int height, const At& at) {
   Normals half(std::max(width / 2, 1), std::max(height / 2, 1), 3);
-  for (int y = 0; y < half.height; ++y) {
+  const auto row = [&](size_t index) {
+    const int y = static_cast<int>(index);
     const Span rows = spanOf(y, half.height, height);
     for (int x = 0; x < half.width; ++x) {
       const Span columns = spanOf(x, half.width, width);
@@ -37,7 +41,8 @@ Normals halved(int width, int height, const At& at) {
       sum /= static_cast<float>((rows.end - rows.first) * (columns.end - columns.first));
       std::copy(&sum.x, &sum.x + 3, half.at(x, y));
     }
-  }
+  };
+  parallelFor(static_cast<size_t>(half.height), row, half.width * half.height > 1 << 18);
   return half;
 }
 

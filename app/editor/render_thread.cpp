@@ -205,7 +205,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
     settings_.shadows = preview.shadows;
     settings_.materialOcclusion = preview.materialOcclusion;
     settings_.screenOcclusion = preview.screenOcclusion;
-    settings_.specularAntialiasing = preview.specularAntialiasing;
+    settings_.specularAntialiasing = preview.specularAntialiasing && preview.view == "lit";   // buffers show what the material says
   }
   const int divisor = request.dragging && smoothedCost_ > kSlowMilliseconds ? 2 : 1;
   const glm::ivec2 size = glm::max(request.size / divisor, glm::ivec2(1));

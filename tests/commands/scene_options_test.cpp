@@ -30,6 +30,9 @@ TEST(SceneOptions, DefaultsAndValues) {
   ASSERT_TRUE(standard);
   EXPECT_EQ(standard->environment, "studio");
   EXPECT_EQ(standard->render.view, "lit");
+  EXPECT_EQ(standard->render.samples, 8);
+  EXPECT_FALSE(standard->render.specularAntialiasing) << "comparisons stay honest";
+  EXPECT_TRUE(parseSceneOptions(given({{"specular-aa", {""}}}))->render.specularAntialiasing);
   const auto options = parseSceneOptions(given({{"size", {"64x32"}},
                                                 {"env-rotation", {"90"}},
                                                 {"exposure", {"-1.5"}},
