@@ -113,13 +113,13 @@ LightTiles tilesOf(int side, std::span<const VisibleCluster> clusters, std::span
 
 }  // namespace
 
-LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle) {
+LightTiles buildLightTiles(std::span<const VisibleCluster> clusters, std::span<const Light> lights, glm::ivec4 rectangle, size_t mostTexels) {
   GLINT_CHECK(lights.size() < 65536, "{} lights", lights.size());
   // Small tiles pay when there are many lights to keep apart (measured on software GL: 64 pixels wins for 128
   // lights, 32 for 1024). Larger ones bound the memory where most lights reach everything.
   for (int side = lights.size() > 256 ? 32 : 64;; side *= 2) {
     LightTiles tiles = tilesOf(side, clusters, lights, rectangle);
-    if (tiles.texels <= kMostLightTexels || side >= std::max(rectangle.z, rectangle.w)) return tiles;
+    if (tiles.texels <= mostTexels || side >= std::max(rectangle.z, rectangle.w)) return tiles;
   }
 }
 

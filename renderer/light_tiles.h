@@ -36,8 +36,9 @@ struct LightTiles {
 // On the device: PointBlock and PlacedBlock of renderer/prepared_view.h.
 inline constexpr int32_t kPointTexels = 2, kPlacedTexels = 4;
 
-// `rectangle` is x, y, width, height in pixels. The lights are in the order of their kinds, none directional. The lists stay below kMostLightTexels, or below what all lights take once where that is more.
-inline constexpr size_t kMostLightTexels = 256 * 1024;   // 4 MiB
-LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> lights, glm::ivec4 rectangle);
+// `rectangle` is x, y, width, height in pixels. The lights are in the order of their kinds, none directional. The lists stay below
+// `mostTexels`, or below what all lights take once where that is more.
+inline constexpr size_t kMostLightTexels = 256 * 1024;   // of a view: 4 MiB
+LightTiles buildLightTiles(std::span<const VisibleCluster>, std::span<const Light> lights, glm::ivec4 rectangle, size_t mostTexels = kMostLightTexels);
 
 }  // namespace glint

@@ -23,7 +23,7 @@ struct ClusteredMesh {
 };
 
 // At most `trianglesEach` triangles a cluster. Time n log^2 n.
-ClusteredMesh clusterMesh(const Mesh&, int trianglesEach = 64);
+ClusteredMesh clusterMesh(const Mesh&, int trianglesEach = 32);
 
 // True when every triangle of a cluster whose cone is (axis, coneCosine) around the sphere (center, radius) faces
 // away from `eye`. All in one space.

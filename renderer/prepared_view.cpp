@@ -312,7 +312,7 @@ PreparedView prepareView(const View& view, DeviceMeshes& meshes, const std::vect
   for (size_t g = 0; g < groups; ++g) {
     const glm::ivec4 r = covered[g];
     if (!reaching.empty())
-      prepared.tiles.push_back(buildLightTiles(visible[g], reaching, view.rectangle));
+      prepared.tiles.push_back(buildLightTiles(visible[g], reaching, view.rectangle, kMostLightTexels / groups));
     else if (r.z > r.x)
       prepared.tiles.push_back({{{r.x, r.y, r.z, r.w, 0, 0, 0, 0}}, {}, 0});
     else

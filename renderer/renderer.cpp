@@ -120,6 +120,7 @@ struct Renderer::State {
       r.groups[g].tileLightTexels = tiles.texels;
       r.groups[g].tiles = uploads.append(std::as_bytes(std::span(tiles.tiles)));
       r.groups[g].tileCount = tiles.tiles.size();
+      statistics.lightBytes += lights.size() + tiles.tiles.size() * sizeof(Tile);
     }
     statistics.triangles += r.view.triangles;
     statistics.lightGroups += static_cast<int>(r.groups.size());

@@ -151,6 +151,7 @@ class Renderer {
 
   struct Statistics {
     int triangles = 0, lightGroups = 0, lights = 0;
+    size_t lightBytes = 0;                     // on the device, of the lists of lights and their tiles
     int invalidPixels = 0;                     // NaN or infinite before they were replaced
     int coarseTables = 0;                      // RenderSettings::coarse
     int shadowMaps = 0;                        // that were drawn for it: none while lights and surfaces stay

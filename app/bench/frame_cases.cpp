@@ -86,6 +86,7 @@ BenchCase frameCase(const std::string& name, const std::string& doc, bool sun, b
             if (!scene) return scene.diagnostics();
             Measurement result = measure(name, setup.effort, [&] { draw(setup, *scene); });
             if (hasErrors(setup.renderer().problems())) return setup.renderer().problems();
+            if (points > 0) result.note = fmt::format("lists of lights {:.2f} MiB", double(setup.renderer().statistics().lightBytes) / (1 << 20));
             return result;
           }};
 }

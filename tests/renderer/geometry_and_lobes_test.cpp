@@ -120,6 +120,8 @@ TEST(LightTiles, MemoryIsBoundedWhereEveryLightReachesEverything) {
   int64_t area = 0;
   for (const Tile& t : tiles.tiles) area += int64_t{t.x1 - t.x0} * (t.y1 - t.y0);
   EXPECT_EQ(area, 1280 * 720);
+  // A view with several models has as much for all of them.
+  EXPECT_LE(buildLightTiles(std::span(&everything, 1), lights, {0, 0, 1280, 720}, kMostLightTexels / 4).texels, kMostLightTexels / 4);
 }
 
 // The directions follow the kernel: the mean of their cosines is the kernel's.
