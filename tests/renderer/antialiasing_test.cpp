@@ -146,6 +146,24 @@ TEST_F(AntialiasingTest, AHighlightSmallerThanAPixelDoesNotFlicker) {
   EXPECT_NEAR(four.mean / truth, 1, 0.05);
 }
 
+// Where nothing glitters nothing is lost: a rim is no rougher than it is over a pixel.
+TEST_F(AntialiasingTest, UnderAnEnvironmentASphereIsNoFartherFromTheReference) {
+  Scene scene = sphereOf("ggx", 0.3f);
+  scene.lights.clear();
+  // Bright from above: what is reflected changes most towards the rim.
+  auto sky = std::make_shared<Environment>(*test::uniformEnvironment(0.05f));
+  for (int y = 0; y < sky->pixels.height / 2; ++y)
+    for (int x = 0; x < sky->pixels.width; ++x) std::fill_n(sky->pixels.at(x, y), 3, 1.0f);
+  sky->hash = 0xa11a5;
+  scene.environment = sky;
+  const auto picture = [&](bool on, int samples) {
+    const View view{&scene, ahead(64), {0, 0, 64, 64}};
+    return renderer->picture(std::span(&view, 1), {64, 64}, widened(on, samples));
+  };
+  const Image8 truth = picture(false, 256);
+  EXPECT_LT(distance(picture(true, 1), truth), 1.05 * distance(picture(false, 1), truth));
+}
+
 TEST_F(AntialiasingTest, BothWidthsOfALobeAndACoatAreWidened) {
   const Scene stretched = sphereOf("ggx-anisotropic", 0.1f);
   const double before = flicker(stretched, 24, widened(false)).deviation, after = flicker(stretched, 24, widened()).deviation;
