@@ -24,6 +24,7 @@ std::string measured(const LawResult& law) {
     case Law::Furnace: return fmt::format("white, it keeps at least {:.4f} of uniform light", law.value);
     case Law::MirrorLimit: return fmt::format("a smooth white mirror reflects {:.4f}", law.value);
     case Law::Environment: return fmt::format("split sum is {:.1f} % off (RMS)", 100 * law.value);
+    case Law::AreaLights: return fmt::format("cosine lobe is {:.1f} % off under soft lights", 100 * law.value);
     case Law::Sampler: return fmt::format("{} samples give the albedo to {:.2g} %", SamplerError::kSamples, 100 * law.value);
   }
   return {};

@@ -12,6 +12,7 @@
 
 #include "materials/base/check.h"
 #include "materials/glsl_scan.h"
+#include "renderer/area_light_error.h"
 #include "renderer/hook_faults.h"
 #include "renderer/loop_faults.h"
 #include "renderer/model_integrals.h"
@@ -72,8 +73,10 @@ class Examination {
       const auto singleProbe = ModelProbe::ofModel(model_, false);
       const auto singleIntegrals = ModelIntegrals::of(model_, {.compensate = false});
       if (singleProbe && singleIntegrals) environment(*singleProbe, *singleIntegrals);
+      if (singleProbe) areaLights(*singleProbe);
     } else {
       environment(*probe, *integrals);
+      areaLights(*probe);
     }
     if (stopped()) return;
     sampler(*probe);
@@ -341,6 +344,16 @@ class Examination {
     law.where = fmt::format("worst {:.3g} at {}NoV {:.3g}", found.worst, roughnessText(found.roughness), found.NoV);
   }
 
+  void areaLights(const ModelProbe& probe) {
+    // Others have no one lobe that could be a cosine's, or are drawn by representative points.
+    if (model_.isWhole() || model_.usesTangent || model_.definesCoat) return;
+    const AreaLightError found = areaLightError(probe);
+    if (found.worst == 0) return;
+    LawResult& law = result(Law::AreaLights);
+    law.value = found.mean;
+    law.where = fmt::format("worst {:.2g} % at {}NoV {:.3g}", 100 * found.worst, roughnessText(found.roughness), found.NoV);
+  }
+
   void sampler(const ModelProbe& probe) {
     const auto made = ModelSampler::of(modelSetting(model_));
     if (!made) return;
@@ -376,7 +389,7 @@ std::string_view name(Verdict verdict) {
 
 std::string_view name(Law law) {
   constexpr std::array<std::string_view, kLawCount> kNames = {"compiles",      "finite", "non-negative", "reciprocity",
-                                                      "normalisation", "energy", "white furnace", "mirror limit", "environment", "sampler"};
+                                                      "normalisation", "energy", "white furnace", "mirror limit", "environment", "area lights", "sampler"};
   return kNames[static_cast<size_t>(law)];
 }
 

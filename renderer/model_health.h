@@ -25,9 +25,10 @@ enum class Law {
   Furnace,        // `value` is the smallest directional albedo of a white specular part; wanted 1 where it is compensated
   MirrorLimit,    // `value` is the albedo of a smooth white mirror seen from above, wanted 1: finds lost factors
   Environment,    // `value` is the relative RMS error of the split sum against the integral it stands for
+  AreaLights,     // `value` is how far its linearly transformed cosine is off under soft lights, as a part of the light
   Sampler,        // `value` is the relative error of the albedo by SamplerError::kSamples directions of its own sampler
 };
-inline constexpr int kLawCount = 10;
+inline constexpr int kLawCount = 11;
 std::string_view name(Law);  // "reciprocity"
 
 struct LawResult {

@@ -5,38 +5,12 @@
 #include <numbers>
 #include <utility>
 
-#include "renderer/quadrature.h"
+#include "renderer/lobe_points.h"
 
 namespace glint {
 namespace {
 
 using std::numbers::pi;
-
-constexpr int kPolar = 48, kAround = 32;
-
-struct HalfVector {
-  glm::dvec3 h;
-  double sin2, weight;  // solid angle
-};
-
-// As in model_integrals.cpp: as dense for every width of a lobe.
-const std::vector<HalfVector>& halfVectors() {
-  static const std::vector<HalfVector> vectors = [] {
-    constexpr double kSmallest = 1e-3;
-    const double k = std::log1p(0.5 * pi / kSmallest);
-    std::vector<HalfVector> made;
-    for (const QuadratureNode& node : gaussLegendre(kPolar)) {
-      const double theta = kSmallest * std::expm1(k * node.x), sin = std::sin(theta);
-      for (int j = 0; j < kAround; ++j) {
-        const double phi = 2 * pi * (j + 0.5) / kAround;
-        made.push_back({{sin * std::cos(phi), sin * std::sin(phi), std::cos(theta)}, sin * sin,
-                        2 * pi / kAround * sin * (theta + kSmallest) * k * node.weight});
-      }
-    }
-    return made;
-  }();
-  return vectors;
-}
 
 // A dim sky with a window, a lamp and light from the ground's side: soft enough for this quadrature.
 double radiance(const glm::dvec3& l) {
@@ -48,30 +22,6 @@ double radiance(const glm::dvec3& l) {
   double sum = 0.3 + 0.15 * l.z;
   for (const Lobe& lobe : lobes) sum += lobe.amplitude * std::exp(lobe.sharpness * (glm::dot(l, lobe.axis) - 1));
   return sum;
-}
-
-struct Direction {
-  glm::dvec3 light;
-  double weight;  // solid angle of the light times its cosine
-};
-
-// Appends the points that integrate over the lights seen from `view` by half vectors, for one roughness and F0.
-void addPoints(const glm::dvec3& view, float roughness, float F0, std::vector<ProbePoint>& points,
-               std::vector<Direction>& directions) {
-  for (const HalfVector& half : halfVectors()) {
-    const double VoH = glm::dot(view, half.h);
-    const glm::dvec3 light = 2 * VoH * half.h - view;
-    const bool seen = VoH > 0 && light.z > 0;
-    ProbePoint p = seen ? ProbePoint::at(light, view) : ProbePoint{};
-    if (seen) p.sinH2 = static_cast<float>(half.sin2);
-    p.roughness = roughness;
-    p.F0 = glm::vec3(F0);
-    p.diffuseColor = glm::vec3(0);
-    p.metallic = 1;
-    p.analyticLight = false;
-    points.push_back(p);
-    directions.push_back({seen ? light : glm::dvec3(0, 0, 1), seen ? half.weight * 4 * VoH * light.z : 0});
-  }
 }
 
 // The value that half of the light, by solid angle and cosine, comes back above: modelFloor() of
@@ -89,18 +39,18 @@ double weightedMedian(std::vector<std::pair<double, double>> values) {
 
 SplitSumError splitSumError(const ModelProbe& probe, const ModelIntegrals& integrals, const ModelProbe* environment) {
   constexpr float kRoughness[] = {0.15f, 0.3f, 0.6f, 0.9f}, kNoV[] = {0.15f, 0.4f, 0.8f}, kF0[] = {0.04f, 1.f};
-  const size_t size = halfVectors().size();
+  const size_t size = kLobePoints;
   std::vector<ProbePoint> points;
-  std::vector<Direction> directions;
+  std::vector<LobeDirection> directions;
   std::vector<IntegralQuery> queries;
   std::vector<ProbePoint> reflections;
   for (const float roughness : kRoughness) {
-    addPoints({0, 0, 1}, roughness, 1, points, directions);  // the lobe along the normal
+    addLobePoints({0, 0, 1}, roughness, 1, false, points, directions);  // the lobe along the normal
     for (const float NoV : kNoV) {
       queries.push_back({roughness, NoV, false});
       for (const float F0 : kF0) {
         const glm::dvec3 view(std::sqrt(1 - NoV * NoV), 0, NoV);
-        addPoints(view, roughness, F0, points, directions);
+        addLobePoints(view, roughness, F0, false, points, directions);
         ProbePoint p = ProbePoint::at({-view.x, 0, NoV}, view);
         p.roughness = roughness;
         p.F0 = glm::vec3(F0);

@@ -262,6 +262,25 @@ TEST_F(Laws, ParametersAtTheirEnds) {
   EXPECT_THAT(card(*model), testing::HasSubstr("gain 3)"));
 }
 
+// How far the one lobe that area lights are seen through is from the model's own.
+TEST_F(Laws, AreaLightsTellWhetherOneLobeIsEnough) {
+  const auto offOf = [](const std::string& body, const char* terms = R"({"V": "SmithGGXCorrelated", "F": "Schlick", "diffuse": "Lambert"})") {
+    const auto model = parseModel("planted.glsl", std::string("/*glint {\"id\": \"planted\", \"terms\": ") + terms + "} */\n" + body);
+    EXPECT_TRUE(model) << text(model.diagnostics());
+    const ModelHealth health = checkHealth(*model);
+    const LawResult* law = health.find(Law::AreaLights);
+    EXPECT_TRUE(law);
+    return law ? law->value : -1;
+  };
+  const double ggx = offOf("float D(Shading s, Parameters p) { return D_GGX(s); }");
+  EXPECT_GT(ggx, 0.01);
+  EXPECT_LT(ggx, 0.06);
+  // A cosine is one itself.
+  EXPECT_LT(offOf("vec3 specular(Shading s, Parameters p) { return s.F0 / kPi; }", "{}"), 0.005);
+  // Two lobes are not: half of the light goes back to where it came from.
+  EXPECT_GT(offOf("vec3 specular(Shading s, Parameters p) { return s.F0 * (pow(clamp(s.LoV, 0.0, 1.0), 40.0) + D_GGX(s) * V_SmithGGX(s)); }", "{}"), 2 * ggx);
+}
+
 // A model's error is at its own line, whichever part of the program it came from.
 TEST_F(Laws, CompileErrorsAreAtThePluginsLine) {
   const auto model = parseModel("broken.glsl", "/*glint\n{\"id\": \"broken\",\n \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}}\n*/\n"
