@@ -115,8 +115,8 @@ std::vector<BenchCase> frameCases(const ModelRegistry& models) {
                                     fmt::format("arithmetic {:.1f}, fill {:.1f}, triangles {:.1f} ms", arithmetic, fill, triangles));
                    }});
   cases.push_back(frameCase("frame.dir", "the standard scene at 1280x720 under one directional light", true, false, 0));
-  cases.push_back(antialiasingCase("frame.dir.specular-aa", "frame.dir with roughness widened against glitter", false));
-  cases.push_back(antialiasingCase("frame.dir.temporal", "frame.dir with a camera that moves, averaged with the pictures before", true));
+  cases.push_back(antialiasingCase("frame.specular-aa", "frame.dir with roughness widened against glitter", false));
+  cases.push_back(antialiasingCase("frame.temporal", "frame.dir with a camera that moves, averaged with the pictures before", true));
   cases.push_back(frameCase("frame.env", "under the studio environment", false, true, 0));
   cases.push_back(frameCase("frame.both", "under both", true, true, 0));
   cases.push_back(shadowCase("frame.shadow", "frame.dir with shadows, contact shadows and occlusion, nothing moving", false));

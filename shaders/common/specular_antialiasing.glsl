@@ -7,11 +7,11 @@
 // noise). Their filter has twice the sum of the variances along x and y, which is no less than is needed whatever the
 // bend, and under an environment is farther from a supersampled picture than no filter. This has the sum, twice the mean of
 // the two, which is what a round lobe has. Towards rims a pixel covers 1 / NoV more of the bend, but along one axis only:
-// there a round lobe has the geometric mean. `share` is the part of the pixel that is drawn: 1 / the pictures averaged.
-float alpha2OfBend(vec3 normal, vec3 view, float share) {
+// there a round lobe has the geometric mean; `ray`, towards the surface, is near enough to a unit vector. `share` is the part of the pixel that is drawn: 1 / the pictures averaged.
+float alpha2OfBend(vec3 normal, vec3 ray, float share) {
   const float kPixelVariance = 0.15915494, kMost = 0.18;
   vec3 dx = dFdx(normal), dy = dFdy(normal);
-  return min(kPixelVariance * share * (dot(dx, dx) + dot(dy, dy)), kMost) * clamp(dot(normal, view), 0.0, 1.0);
+  return min(kPixelVariance * share * (dot(dx, dx) + dot(dy, dy)), kMost) * clamp(-dot(normal, ray), 0.0, 1.0);
 }
 
 // Of a normal map, from the variance of its slopes along one axis: alpha^2 is twice that (Beckmann's own width; Toksvig 2005).

@@ -42,7 +42,7 @@ void main() {
   normal = normalize(m.normal.x * i.tangent + m.normal.y * i.bitangent + m.normal.z * i.normal);
 #endif
 #ifdef SPECULAR_ANTIALIASING
-  float wider = alpha2OfBend(i.normal, i.view, pixelShare) + alpha2OfSlopes(m.normalVariance);
+  float wider = alpha2OfBend(i.normal, viewRay(gl_FragCoord.xy), pixelShare) + alpha2OfSlopes(m.normalVariance);
   m.roughness = widenedRoughness(m.roughness, wider);
   m.model = mix(m.model, vec4(widenedRoughness(dot(m.model, coatRoughnessSlot), wider)), coatRoughnessSlot);
 #endif
