@@ -19,6 +19,9 @@ struct LightArrays {
   };
   size_t firstSpot = 0;
   std::vector<Cone> cones;
+  // The rectangles, likewise, with the way that they shine.
+  size_t firstRectangle = 0;
+  std::vector<glm::vec3> axes;
   explicit LightArrays(std::span<const Light> lights) {
     for (const Light& light : lights) {
       x.push_back(light.position.x);
@@ -26,6 +29,10 @@ struct LightArrays {
       z.push_back(light.position.z);
       radius.push_back(light.radius);
       extent.push_back(glint::extent(light));
+      if (light.kind == LightKind::Rectangle) {
+        if (axes.empty()) firstRectangle = x.size() - 1;
+        axes.push_back(glm::normalize(light.axis));
+      }
       if (light.kind != LightKind::Spot) continue;
       if (cones.empty()) firstSpot = x.size() - 1;
       cones.push_back({glm::normalize(light.axis), std::cos(light.outerAngle), std::sin(light.outerAngle)});
@@ -33,7 +40,8 @@ struct LightArrays {
   }
 };
 
-// Sets the bits of the lights whose sphere, and a spot's cone, touches the cluster's sphere and that stand before some of its triangles.
+// Sets the bits of the lights whose sphere, and a spot's cone or a rectangle's half of space, touches the cluster's sphere and that
+// stand before some of its triangles.
 void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vector<uint8_t>& reached) {
   const size_t count = lights.x.size();
   // A light below all tangent planes lights nothing: the highest of its directions above the cone's plane is
@@ -59,6 +67,10 @@ void reachingLights(const VisibleCluster& c, const LightArrays& lights, std::vec
     const float along = glm::dot(d, spot.axis), across = std::sqrt(std::max(glm::dot(d, d) - along * along, 0.0f));
     // How far the sphere's middle lies outside the cone.
     reached[i] &= spot.cosine * across - spot.sine * along < c.radius;
+  }
+  for (size_t k = 0; k < lights.axes.size(); ++k) {
+    const size_t i = lights.firstRectangle + k;
+    reached[i] &= glm::dot(c.center - glm::vec3(lights.x[i], lights.y[i], lights.z[i]), lights.axes[k]) > -c.radius;
   }
 }
 

@@ -212,6 +212,14 @@ TEST_F(LightsTest, SpotsReachTheirConeAlone) {
   s.lights[0].axis = {0, 0, 1};
   settings.view = "lightCount";
   for (const float value : renderer->linear(std::span(&view, 1), {kSide, kSide}, settings).data) ASSERT_EQ(value, 0);
+  // Nor does a rectangle, and one that stands across the middle reaches half.
+  s.lights[0].kind = LightKind::Rectangle;
+  for (const float value : renderer->linear(std::span(&view, 1), {kSide, kSide}, settings).data) ASSERT_EQ(value, 0);
+  s.lights[0].position = {0, 0, 1};
+  s.lights[0].axis = {1, 0, 0};
+  const ImageF half = renderer->linear(std::span(&view, 1), {kSide, kSide}, settings);
+  EXPECT_EQ(half.at(kSide / 8, kSide / 2)[2], 0);
+  EXPECT_GT(half.at(kSide * 7 / 8, kSide / 2)[2], 0);
 }
 
 // Lights where they cannot be, drawn by every model with every method: never a pixel that is not a number.
