@@ -527,6 +527,13 @@ unsigned Renderer::refineTexture(std::span<const View> views, glm::ivec2 size, c
   return s.picture->raw.id();
 }
 
+std::vector<float> Renderer::depths(glm::ivec2 size) {
+  std::vector<float> depths(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->frame.targets.gbuffer());
+  glReadPixels(0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  return depths;
+}
+
 void Renderer::relight() {
   State& s = *state_;
   s.lightingPass.draw(s.frame, s.lists);

@@ -142,6 +142,10 @@ class Renderer {
   // `sample` counts from 1. With a reference, that call and each of this one draw reference / samples samples a pixel.
   unsigned refineTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&, int sample);
 
+  // Of the picture that was drawn last: what the depth buffer holds, 0 at the near plane to 1 at the far one, where no surface
+  // is. Rows from the bottom.
+  std::vector<float> depths(glm::ivec2 size);
+
   // Makes one of the tables that were coarse in the last picture fine, which takes a few tenths of a second; false when
   // there is none left. The next picture has it.
   bool refineTable();

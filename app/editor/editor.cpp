@@ -152,7 +152,7 @@ void Editor::frame(glm::ivec2 framebuffer, float deltaSeconds) {
   }
   ImGui::NewFrame();
   ui::beginFrame(fonts_);
-  const bool held = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
+  const bool held = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive() || std::exchange(editing_, false);
   document_->hold(held);
   // What is selected may be gone after undo.
   std::erase_if(selection_, [&](const NodeId& id) { return !document_->material().node(id); });
@@ -181,7 +181,7 @@ void Editor::frame(glm::ivec2 framebuffer, float deltaSeconds) {
 
 void Editor::postRequest() {
   if (viewportSize_.x < 8 || viewportSize_.y < 8) return;
-  const bool held = ImGui::IsAnyMouseDown();
+  const bool held = ImGui::IsAnyMouseDown() || editing_;
   Posted now{.meaning = document_->meaningRevision(), .preview = document_->previewRevision(), .models = modelsRevision_,
              .size = viewportSize_, .dragging = posted_.dragging, .code = wantCode_};
   if (now == posted_ && !(posted_.dragging && !held)) return;

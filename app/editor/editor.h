@@ -87,6 +87,8 @@ class Editor {
   void selectLight(int index, bool reveal = false);
   bool takeRevealedLight() { return std::exchange(revealLight_, false); }
   void showLights(bool);                      // in the viewport; remembered
+  // An edit that goes on while nothing is pressed is one step: to be called in each of its frames.
+  void keepEditing() { editing_ = true; }
   void setViewportSize(glm::ivec2 size) { viewportSize_ = size; }
   void wantCode() { wantCode_ = true; }
   // A node that was added somewhere else, for the graph to bring into view; asked for once.
@@ -168,6 +170,7 @@ class Editor {
   int selectedLight_ = -1;
   uint64_t lightsOf_ = 0;                            // the document it is one of
   bool revealLight_ = false;
+  bool editing_ = false;                             // in this frame
   glm::ivec2 viewportSize_{0};
   bool wantCode_ = false;
   std::string framedSubject_;

@@ -7,48 +7,34 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/handle_view.h"
 #include "renderer/light.h"
-#include "renderer/scene.h"
 
 namespace glint {
 
-// A perspective camera as the pointer sees it: pixels from the picture's top left, y down. `scale`: pixels a UI unit.
-class HandleView {
- public:
-  HandleView(const Camera&, glm::vec2 size, float scale);
-
-  // Nothing for what is not in front of the eye.
-  std::optional<glm::vec2> project(glm::vec3) const;
-  // Unit, from the eye.
-  glm::vec3 ray(glm::vec2 pixel) const;
-  // Of what faces the viewer at this point: how long so many UI units are, metres.
-  float metres(float units, glm::vec3 at) const;
-  // Where the pointer meets the plane through `at` that faces the camera.
-  glm::vec3 onPlane(glm::vec2 pixel, glm::vec3 at) const;
-  // How far along the line the pointer is nearest to it, metres; nothing when the line points at the viewer.
-  std::optional<float> alongLine(glm::vec2 pixel, glm::vec3 origin, glm::vec3 unit) const;
-  // Where on the picture's edge, `inset` UI units within it, one finds what is not in the picture.
-  glm::vec2 edge(glm::vec3, float inset) const;
-
-  glm::vec3 eye, target, right, up, forward;
-  glm::vec2 size;
-  float scale;
-
- private:
-  float focal_;   // pixels
+// Axes and planes are the world's, a plane named by the axis across it. Aim is what the light points at, Turn the tip of
+// its arrow, Reach where it ends (Light::radius). Scale has no handle: all that it measures, by the pointer's distance.
+enum class LightGrip {
+  Move, AxisX, AxisY, AxisZ, PlaneX, PlaneY, PlaneZ, Aim, Turn, Size, From, To, Left, Right, Bottom, Top, Outer, Inner, Reach, Scale
 };
-
-enum class LightGrip { Move, Aim, Size, From, To, Left, Right, Bottom, Top, Outer, Inner };
-const char* name(LightGrip);       // "move"
+const char* name(LightGrip);       // "move", "axis x"
 const char* stepLabel(LightGrip);  // "Move light"
+// 0, 1, 2 for x, y and z; -1 for others.
+int axisOf(LightGrip);
+int planeOf(LightGrip);
+// By which the whole light is taken: Move, or Aim of a directional light, whose place is on a ball around the camera's target.
+LightGrip wholeGrip(const Light&);
 
 struct LightHandle {
   LightGrip grip;
   glm::vec3 at;
 };
-// The one by which the whole light is taken comes first: Move, or Aim of a directional light, whose place is on a ball
-// around the camera's target.
-std::vector<LightHandle> lightHandles(const Light&, const HandleView&);
+// That of wholeGrip() comes first. `aim`: how far off lies what it points at, metres; see aimDistance().
+std::vector<LightHandle> lightHandles(const Light&, const HandleView&, float aim);
+// Where a light that points somewhere passes the camera's target, or as far away as that.
+float aimDistance(const Light&, const HandleView&);
+// The corners of a plane's handle.
+std::vector<glm::vec3> planeCorners(const Light&, const HandleView&, int plane);
 
 // What is drawn of it beside the handles.
 struct LightLine {
@@ -56,10 +42,27 @@ struct LightLine {
   bool faint = false;
 };
 std::vector<LightLine> lightOutline(const Light&, const HandleView&, bool selected);
+// Where it ends.
+LightLine reachOutline(const Light&, const HandleView&);
 
-// `start` when the pointer has gone from one pixel to another with the handle. Moves in the plane through the light that
-// faces the camera; with `oneAxis` along the world's axis that lies in the drag's direction (a tube's end: along the tube).
-Light dragged(const Light& start, LightGrip, const HandleView&, glm::vec2 from, glm::vec2 to, bool oneAxis = false);
+struct LightDrag {
+  LightGrip grip = LightGrip::Move;
+  glm::vec2 from{0}, to{0};            // the pointer, pixels
+  float aim = 0;                       // as lightHandles(), when it was taken
+  bool straight = false;               // Move: along the axis that the drag runs along; a tube's end: along the tube
+  bool snap = false;                   // to round numbers, of the size of some pixels
+  std::optional<glm::vec3> surface;    // Aim: at this point, instead
+};
+// `start` when the pointer has gone from one pixel to another with a handle. Move goes in the plane that faces the camera.
+// `start` itself where there is no answer.
+Light dragged(const Light& start, const HandleView&, const LightDrag&);
+// What Aim now points at is so far off.
+float draggedAim(const Light& start, const HandleView&, const LightDrag&);
+
+// With its highlight on this point, where the surface has this normal, as far from it as before. A light that points
+// somewhere points there.
+Light highlighting(const Light&, const HandleView&, glm::vec3 point, glm::vec3 normal);
+Light aimedAt(const Light&, glm::vec3 point);
 
 // A little aside of it, so that both are seen.
 Light placedBeside(const Light&, const HandleView&);
@@ -67,9 +70,11 @@ Light placedBeside(const Light&, const HandleView&);
 // How far from its target the camera sees all these lights, metres; at least `least`.
 float distanceToSee(const std::vector<Light>&, Camera, glm::vec2 size, float least);
 
+// "35 cm", "1.25 m".
+std::string lengthText(float metres);
 // "3.14 lx", "188 lm \u00b7 15 cd".
 std::string lightIntensity(const Light&);
-// What this handle has set: "0.45 m".
+// What this handle sets: "radius 35 cm".
 std::string gripText(const Light&, LightGrip);
 
 }  // namespace glint

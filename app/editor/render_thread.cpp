@@ -228,6 +228,10 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.serial = request.serial;
   if (settings_.view == kFurnaceView && !request.dragging) result.furnace = renderer.furnaceShares(views_, size, settings_.compensate);
   result.texture = keep(renderer.drawToTexture(views_, size, settings_), size);
+  if (!scene.comparison) {
+    result.camera = views_.front().camera;
+    result.depth = std::make_shared<const SceneDepth>(result.camera, size, renderer.depths(size));
+  }
   result.size = size;
   result.layoutSize = request.size;
   result.comparison = scene.comparison;

@@ -12,6 +12,7 @@
 
 #include "app/analysis/plot_data.h"
 #include "app/editor/preview_scene.h"
+#include "app/editor/scene_depth.h"
 #include "renderer/gl/objects.h"
 
 namespace glint {
@@ -34,6 +35,8 @@ struct FrameResult {
   std::vector<PreviewScene::State> states;
   glm::vec3 center{0};
   float radius = 1;
+  Camera camera;                    // of a mesh, and where its surfaces are; of a comparison there is no depth
+  std::shared_ptr<const SceneDepth> depth;
   std::string subject;
   Diagnostics problems;
   Diagnostics modelProblems;        // what a compiler says of the models, drawn or not, as far as they were looked at

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "app/editor/light_handles.h"
+#include "app/panels/light_drawing.h"
 
 namespace glint {
 
@@ -25,16 +25,34 @@ class LightGizmos {
     LightGrip grip = LightGrip::Move;
     bool edge = false;        // the sign on the picture's edge of a light outside it
   };
+  struct Pointer {
+    const HandleView& view;
+    const SceneDepth* depth;
+    glm::vec2 at;
+    bool hovered;
+  };
   std::optional<Hit> under(const std::vector<Light>&, int selected, const HandleView&, glm::vec2 pointer) const;
-  void press(Editor&, const std::vector<Light>&, const Hit&, glm::vec2 pointer);
-  void drag(Editor&, const HandleView&, glm::vec2 pointer);
-  static void keys(Editor&, const HandleView&, bool hovered);
+  void input(Editor&, const Pointer&, std::optional<Hit>& hit);
+  void take(Editor&, const Hit&, const Pointer&);
+  void drag(Editor&, const Pointer&);
+  void cancel(Editor&);
+  void keys(Editor&, const Pointer&);
+  void heldKeys(Editor&);
+  void drawAll(Editor&, const LightCanvas&, const std::optional<Hit>&) const;
+  float aimOf(const Light&, size_t index, const HandleView&) const;
+  std::string detailOf(const Light&, const Hit&) const;
 
   std::optional<Hit> held_;
+  bool loose_ = false;        // without a button: begun by a key, ended by a click
+  bool swallow_ = false;      // until the buttons are up they are nobody's
   Light start_;               // as it was taken
   glm::vec2 from_{0};
+  float startAim_ = 0;
   bool moved_ = false;
   std::optional<glm::vec2> pressedBeside_;   // where nothing of a light is: a click there selects none
+  // How far off the selected light's target was left by the last aiming.
+  int aimLight_ = -1;
+  float aim_ = 0;
 };
 
 }  // namespace glint

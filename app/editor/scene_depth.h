@@ -1,0 +1,33 @@
+// How far off the surfaces of a picture are, pixel by pixel: what is behind them, and what the pointer is on.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/editor/handle_view.h"
+
+namespace glint {
+
+class SceneDepth {
+ public:
+  // `stored` as Renderer::depths() of a picture that this camera, with a perspective, has taken.
+  SceneDepth(const Camera&, glm::ivec2 size, std::vector<float> stored);
+
+  // Whether a surface stands before this point; never where the picture ends. `view` is the same picture's, at any size.
+  bool hides(const HandleView& view, glm::vec3 point) const;
+  struct Surface {
+    glm::vec3 at, normal;   // towards the eye
+  };
+  // What is seen there; nothing where that is the background.
+  std::optional<Surface> under(const HandleView& view, glm::vec2 pixel) const;
+
+ private:
+  std::optional<float> at(glm::ivec2 texel) const;   // metres in the direction of view
+  glm::ivec2 texelOf(const HandleView&, glm::vec2 pixel) const;
+
+  glm::ivec2 size_;
+  float near_, far_;
+  std::vector<float> stored_;
+};
+
+}  // namespace glint
