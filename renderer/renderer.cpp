@@ -531,6 +531,8 @@ std::vector<float> Renderer::depths(glm::ivec2 size) {
   std::vector<float> depths(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->frame.targets.gbuffer());
   glReadPixels(0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  const glm::vec4 terms = state_->frame.views.front().view.block.depthTerms;   // as shaders/common/screen.glsl
+  for (float& depth : depths) depth = depth < 1 ? (terms.x + terms.y * depth) / (terms.z + terms.w * depth) : std::numeric_limits<float>::infinity();
   return depths;
 }
 

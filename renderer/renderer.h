@@ -142,8 +142,8 @@ class Renderer {
   // `sample` counts from 1. With a reference, that call and each of this one draw reference / samples samples a pixel.
   unsigned refineTexture(std::span<const View>, glm::ivec2 size, const RenderSettings&, int sample);
 
-  // Of the picture that was drawn last: what the depth buffer holds, 0 at the near plane to 1 at the far one, where no surface
-  // is. Rows from the bottom.
+  // Of the picture of one view that was drawn last, pixel by pixel from the bottom: how far its surfaces are in the direction
+  // of view, metres; infinity where there is none.
   std::vector<float> depths(glm::ivec2 size);
 
   // Makes one of the tables that were coarse in the last picture fine, which takes a few tenths of a second; false when

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "materials/base/hash.h"
 #include "renderer/disk_cache.h"
@@ -23,9 +24,11 @@ bool isEnvironmentFile(const fs::path& file) {
   return extension == ".hdr" || extension == ".exr" || extension == ".pfm";
 }
 
-std::vector<std::string> listed(const std::vector<fs::path>& folders) {
+// `left`: how many more there are than fit.
+std::vector<std::string> listed(const std::vector<fs::path>& folders, size_t& left) {
   std::vector<std::string> names = environmentNames();
-  const size_t generated = names.size();
+  std::set<std::string> known(names.begin(), names.end());
+  const size_t most = names.size() + EnvironmentThumbnails::kMostFiles;
   for (const fs::path& folder : folders) {
     std::vector<std::string> found;
     std::error_code problem;
@@ -34,8 +37,11 @@ std::vector<std::string> listed(const std::vector<fs::path>& folders) {
       if (isEnvironmentFile(it->path()) && it->is_regular_file(ignored)) found.push_back(it->path().string());
     }
     std::sort(found.begin(), found.end());
-    for (std::string& file : found)
-      if (std::find(names.begin(), names.end(), file) == names.end() && names.size() < generated + EnvironmentThumbnails::kMostFiles) names.push_back(std::move(file));
+    for (std::string& file : found) {
+      if (!known.insert(file).second) continue;
+      if (names.size() < most) names.push_back(std::move(file));
+      else ++left;
+    }
   }
   return names;
 }
@@ -149,6 +155,11 @@ std::vector<std::string> EnvironmentThumbnails::names() const {
   return names_.empty() ? environmentNames() : names_;
 }
 
+size_t EnvironmentThumbnails::left() const {
+  const std::lock_guard lock(mutex_);
+  return left_;
+}
+
 EnvironmentThumbnailPtr EnvironmentThumbnails::find(const std::string& name) const {
   const std::lock_guard lock(mutex_);
   const auto found = entries_.find(name);
@@ -179,10 +190,12 @@ bool EnvironmentThumbnails::next(std::string& name) {
     listWanted_ = false;
     const auto folders = folders_;
     lock.unlock();
-    std::vector<std::string> found = listed(folders);
+    size_t left = 0;
+    std::vector<std::string> found = listed(folders, left);
     lock.lock();
     std::erase_if(entries_, [&](const auto& entry) { return std::find(found.begin(), found.end(), entry.first) == found.end(); });
     names_ = std::move(found);
+    left_ = left;
     at_ = 0;
     news_ = true;
   }

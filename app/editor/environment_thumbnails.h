@@ -42,6 +42,7 @@ class EnvironmentThumbnails {
   void open(std::vector<std::filesystem::path> folders);
   void close();                                    // nothing more is made until the next open()
   std::vector<std::string> names() const;          // as Preview::environment takes them
+  size_t left() const;                             // files that are not among them, beyond kMostFiles
   EnvironmentThumbnailPtr find(const std::string& name) const;   // null: not made yet
   bool takeNews();                                 // whether something came since the last call
   bool settled() const;                            // nothing left to do
@@ -59,6 +60,7 @@ class EnvironmentThumbnails {
   std::condition_variable changed_;
   std::vector<std::filesystem::path> folders_;
   std::vector<std::string> names_;
+  size_t left_ = 0;
   size_t at_ = 0;                                  // of the next name to be looked at
   std::map<std::string, Entry> entries_;
   bool listWanted_ = false, open_ = false, working_ = false, news_ = false, stop_ = false;

@@ -230,7 +230,7 @@ void RenderThread::draw(Renderer& renderer, PreviewScene& scene, const FrameRequ
   result.texture = keep(renderer.drawToTexture(views_, size, settings_), size);
   if (!scene.comparison) {
     result.camera = views_.front().camera;
-    result.depth = std::make_shared<const SceneDepth>(result.camera, size, renderer.depths(size));
+    result.depth = std::make_shared<const SceneDepth>(size, renderer.depths(size));
   }
   result.size = size;
   result.layoutSize = request.size;

@@ -6,16 +6,15 @@
 
 namespace glint {
 
-SceneDepth::SceneDepth(const Camera& camera, glm::ivec2 size, std::vector<float> stored)
-    : size_(size), near_(camera.nearPlane), far_(camera.farPlane), stored_(std::move(stored)) {
-  GLINT_CHECK(stored_.size() == size_t(size.x) * size_t(size.y));
+SceneDepth::SceneDepth(glm::ivec2 size, std::vector<float> metres) : size_(size), metres_(std::move(metres)) {
+  GLINT_CHECK(metres_.size() == size_t(size.x) * size_t(size.y));
 }
 
 std::optional<float> SceneDepth::at(glm::ivec2 texel) const {
   if (texel.x < 0 || texel.y < 0 || texel.x >= size_.x || texel.y >= size_.y) return {};
-  const float d = stored_[size_t(texel.y) * size_t(size_.x) + size_t(texel.x)];
-  if (!(d < 1)) return {};
-  return near_ * far_ / (far_ - d * (far_ - near_));
+  const float metres = metres_[size_t(texel.y) * size_t(size_.x) + size_t(texel.x)];
+  if (!std::isfinite(metres)) return {};
+  return metres;
 }
 
 glm::ivec2 SceneDepth::texelOf(const HandleView& view, glm::vec2 pixel) const {

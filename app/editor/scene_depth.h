@@ -10,8 +10,8 @@ namespace glint {
 
 class SceneDepth {
  public:
-  // `stored` as Renderer::depths() of a picture that this camera, with a perspective, has taken.
-  SceneDepth(const Camera&, glm::ivec2 size, std::vector<float> stored);
+  // As Renderer::depths() gives them.
+  SceneDepth(glm::ivec2 size, std::vector<float> metres);
 
   // Whether a surface stands before this point; never where the picture ends. `view` is the same picture's, at any size.
   bool hides(const HandleView& view, glm::vec3 point) const;
@@ -22,12 +22,11 @@ class SceneDepth {
   std::optional<Surface> under(const HandleView& view, glm::vec2 pixel) const;
 
  private:
-  std::optional<float> at(glm::ivec2 texel) const;   // metres in the direction of view
+  std::optional<float> at(glm::ivec2 texel) const;
   glm::ivec2 texelOf(const HandleView&, glm::vec2 pixel) const;
 
   glm::ivec2 size_;
-  float near_, far_;
-  std::vector<float> stored_;
+  std::vector<float> metres_;
 };
 
 }  // namespace glint

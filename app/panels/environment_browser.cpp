@@ -173,6 +173,12 @@ bool EnvironmentBrowser::draw(Editor& editor, std::string& environment) {
       ImGui::CloseCurrentPopup();
     }
   }
+  if (const size_t left = editor.environmentThumbnails().left(); left > 0) {
+    ImGui::Dummy({0, theme::px(4)});
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + theme::px(kPadding));
+    ui::textDim(fmt::format("The first {} files are shown; {} more are in the folder: load or drop one.", EnvironmentThumbnails::kMostFiles, left));
+    ui::mark("more files");
+  }
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::EndCombo();

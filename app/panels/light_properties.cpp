@@ -26,12 +26,16 @@ bool direction(const LightProperty& p, glm::vec3& d) {
   return true;
 }
 
+// Light spans many powers of ten: a drag changes a share of what there is, and as many digits are shown as tell it.
+float stepOf(float amount) { return std::max(0.01f * amount, 0.01f); }
+std::string decimalsOf(float amount) { return amount < 10 ? "%.2f" : amount < 100 ? "%.1f" : "%.0f"; }
+
 bool power(Light& light, const LightProperty& p) {
   float lumens = light.candela * lumensPerCandela(light);
-  const bool changed = ui::drag(p.title, &lumens, 1, 1, 0, 1e7f, "%.0f lm");
+  const bool changed = ui::drag(p.title, &lumens, 1, stepOf(lumens), 0, 1e7f, (decimalsOf(lumens) + " lm").c_str());
   if (changed) light.candela = lumens / std::max(lumensPerCandela(light), 1e-6f);
   const float nits = light.candela * nitsPerCandela(light);
-  ui::tooltip(nits > 0 ? fmt::format("{:.1f} cd, {:.4g} nits on its surface", light.candela, nits) : fmt::format("{:.1f} cd", light.candela));
+  ui::tooltip(fmt::format("{:.4g} cd{}. A candle gives 12 lm, a bulb 800, a studio lamp 20,000", light.candela, nits > 0 ? fmt::format(", {:.4g} nits on its surface", nits) : ""));
   return changed;
 }
 
@@ -43,7 +47,11 @@ bool number(Light& light, const LightProperty& p) {
     value = glm::radians(degrees);
     return true;
   }
-  if (p.unit == Unit::Lux) return ui::drag(p.title, &value, 1, 0.02f, p.least, p.most, "%.2f lx");
+  if (p.unit == Unit::Lux) {
+    const bool changed = ui::drag(p.title, &value, 1, stepOf(value), p.least, std::min(p.most, 1e6f), (decimalsOf(value) + " lx").c_str());
+    ui::tooltip("Full moon 0.2 lx, office 500, overcast sky 10,000, sun 100,000: set the exposure to suit");
+    return changed;
+  }
   return ui::drag(p.title, &value, 1, 0.01f, p.least, std::min(p.most, 1e4f), p.unit == Unit::Metres ? "%.2f m" : "%.2f");
 }
 
@@ -82,9 +90,9 @@ std::span<const LightPreset> lightPresets() {
        }},
       {"Sun", "One directional light, high from the front",
        [] { return std::vector<Light>{{.kind = LightKind::Directional, .direction = glm::normalize(glm::vec3(0.6f, 1, 0.8f)), .lux = 6.2831853f}}; }},
-      {"Sphere", "A ball above, as in the notes\u2019 figure 12",
+      {"Sphere, figure 12", "A ball above, as in the course notes\u2019 figure 12",
        [] { return std::vector<Light>{{.kind = LightKind::Sphere, .position = {0.8f, 1.9f, 1.6f}, .candela = 14, .radius = 20, .size = 0.5f}}; }},
-      {"Tube", "A tube above, as in the notes\u2019 figure 13",
+      {"Tube, figure 13", "A tube above, as in the course notes\u2019 figure 13",
        [] { return std::vector<Light>{{.kind = LightKind::Tube, .position = {0, 1.7f, 1.6f}, .candela = 14, .radius = 20, .axis = {1, 0, 0}, .size = 0.04f, .length = 2.4f}}; }}};
   return kPresets;
 }

@@ -77,7 +77,7 @@ TEST(LightHandles, AxesPlanesAndRoundNumbers) {
     EXPECT_NEAR(snapped, std::round(snapped), 1e-4f) << "tenths of a metre";
   }
   Light ball = newLight(LightKind::Sphere);
-  const float size = 10 * after(ball, view, LightGrip::Size, {-31, 11}, false, true).size;
+  const float size = 20 * after(ball, view, LightGrip::Size, {-31, 11}, false, true).size;
   EXPECT_NEAR(size, std::round(size), 1e-4f);
   Light sun = newLight(LightKind::Directional);
   const glm::vec3 d = after(sun, view, LightGrip::Aim, {17, 9}, false, true).direction;
@@ -107,11 +107,10 @@ TEST(LightHandles, SurfacesHideWhatIsBehindThem) {
   // A wall 3 m away on the left half; nothing on the right.
   Camera camera{.eye = {0, 0, 5}, .target = {0, 0, 0}, .nearPlane = 0.1f, .farPlane = 100};
   const glm::ivec2 size(64, 32);
-  std::vector<float> stored(size_t(size.x * size.y), 1.0f);
-  const float depth = 100.0f / 99.9f * (1 - 0.1f / 3);
+  std::vector<float> metres(size_t(size.x * size.y), INFINITY);
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x / 2; ++x) stored[size_t(y * size.x + x)] = depth;
-  const SceneDepth scene(camera, size, stored);
+    for (int x = 0; x < size.x / 2; ++x) metres[size_t(y * size.x + x)] = 3;
+  const SceneDepth scene(size, metres);
   const HandleView view(camera, {640, 320}, 1);
   EXPECT_TRUE(scene.hides(view, {-0.5f, 0, 0}));
   EXPECT_FALSE(scene.hides(view, {-0.2f, 0, 2.5f})) << "before it";
@@ -272,7 +271,8 @@ TEST_F(LightGizmoTest, ASpotIsAimedAndASphereSized) {
   EXPECT_EQ(light(0).position, glm::vec3(-1.2f, 1.4f, 0.5f));
   ui().click("Viewport/light:1:move");
   const float size = light(1).size, pixels = 40;
-  drag("light:1:size", {pixels / std::sqrt(2.0f), -pixels / std::sqrt(2.0f)});
+  const ImVec2 middle = ui().at("Viewport/light:1:move"), handle = ui().at("Viewport/light:1:size");
+  drag("light:1:size", pixels * glm::normalize(glm::vec2(handle.x - middle.x, handle.y - middle.y)));
   EXPECT_NEAR(light(1).size, size + view().metres(pixels, light(1).position), 0.03f);
   ASSERT_EQ(document().steps().size(), 3u);
   EXPECT_EQ(document().steps()[2].label, "Size light");
@@ -338,7 +338,7 @@ TEST_F(LightGizmoTest, KeysMoveTurnAndScaleWithoutAButton) {
   EXPECT_GT(light(0).position.y, before.position.y + 0.2f);
   EXPECT_TRUE(document().steps().empty()) << "not before it is done";
   keep("light_by_key.png");
-  ui().click({at.x + 130, at.y - 40});
+  ui().click(ImVec2{at.x + 130, at.y - 40});
   ASSERT_EQ(document().steps().size(), 1u);
   EXPECT_EQ(document().preview().orbit, orbit);
   EXPECT_EQ(ui().editor().selectedLight(), 0) << "the click that ends it selects nothing";
@@ -370,7 +370,7 @@ TEST_F(LightGizmoTest, ALightIsAimedAndItsHighlightPutWhereThePointerIs) {
   const auto surface = ui().editor().shown().depth->under(from, {spot.x - r.low.x, spot.y - r.low.y});
   ASSERT_TRUE(surface);
   EXPECT_NEAR(glm::length(surface->at), 1, 0.02f) << "on the sphere";
-  expectNear(surface->normal, glm::normalize(surface->at), 0.03f);
+  expectNear(surface->normal, glm::normalize(surface->at), 0.06f);   // the mesh has facets
   expectNear(light(0).axis, glm::normalize(surface->at - light(0).position), 1e-3f);
   ui().key(Key::H);
   const glm::vec3 half = glm::normalize(glm::normalize(light(0).position - surface->at) + glm::normalize(from.eye - surface->at));
@@ -420,6 +420,23 @@ TEST_F(LightGizmoTest, KeysAreTheViewportsOnlyWhereThePointerIs) {
   EXPECT_EQ(document().material().nodes.size(), nodes);
   document().undo();
   EXPECT_EQ(document().preview().lights.size(), 2u);
+}
+
+TEST_F(LightGizmoTest, PresetsAreOneStep) {
+  begin({});
+  for (const LightPreset& preset : lightPresets()) {
+    const size_t steps = document().steps().size();
+    Preview none = document().preview();
+    none.lights.clear();
+    document().setPreview("None", none);
+    ui().frames(2);
+    ui().click("Scene/Presets");
+    ui().frames(2);
+    ui().click("Scene/Preset " + std::string(preset.name));
+    ui().frames(2);
+    EXPECT_EQ(document().preview().lights, preset.make()) << preset.name;
+    EXPECT_EQ(document().steps().size(), steps + (steps > 0 ? 2 : 1)) << preset.name;
+  }
 }
 
 TEST_F(LightGizmoTest, WhatIsOutOfViewIsOnTheEdge) {

@@ -206,6 +206,18 @@ TEST_F(EditorTest, EnvironmentsAreChosenByTheirPictures) {
   begin();
 }
 
+TEST(EnvironmentThumbnails, SayHowManyFilesTheyLeaveOut) {
+  const fs::path files = fs::path(GLINT_TESTS_OUT) / "many-environments";
+  fs::create_directories(files);
+  for (size_t i = 0; i < EnvironmentThumbnails::kMostFiles + 7; ++i) std::ofstream(files / fmt::format("{:03}.hdr", i)) << "empty";
+  EnvironmentThumbnails thumbnails([] {});
+  thumbnails.open({files, files});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (thumbnails.left() == 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  EXPECT_EQ(thumbnails.left(), 7u) << "a folder that is named twice counts once";
+  EXPECT_EQ(thumbnails.names().size(), environmentNames().size() + EnvironmentThumbnails::kMostFiles);
+}
+
 TEST(Journal, KeepsWhatACrashWouldTake) {
   const fs::path folder = fs::path(GLINT_TESTS_OUT) / "journal";
   fs::remove_all(folder);
