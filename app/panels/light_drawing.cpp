@@ -210,18 +210,21 @@ void drawLight(const LightCanvas& canvas, const Light& light, float aim, const L
   pen.dot(*at, sun ? 5.5f : hot ? 4.8f : 3.8f, faded(colorOf(light), opacity), faded(hot && look.selected ? theme::grey(255) : line, opacity), hot || look.selected ? 1.8f : 1.2f);
 }
 
-void drawLightLabel(const LightCanvas& canvas, glm::vec2 at, const std::string& title, const std::string& detail, bool selected) {
+void drawLightLabel(const LightCanvas& canvas, glm::vec2 at, glm::vec2 away, const std::string& title, const std::string& detail, bool selected) {
   const HandleView& view = canvas.view;
   const ImVec2 low = canvas.low;
   ImFont* small = ui::fonts().small();
   const float line = small->FontSize, pad = theme::px(6), gap = theme::px(7);
   const auto width = [&](const std::string& t) { return small->CalcTextSizeA(line, FLT_MAX, 0, t.c_str()).x; };
   const float first = width(title), whole = first + gap + width(detail);
-  ImVec2 p{low.x + at.x + theme::px(20), low.y + at.y + theme::px(14)};
-  if (p.x + whole + pad > low.x + view.size.x) p.x = low.x + at.x - theme::px(20) - whole;
-  p.x = std::max(p.x, low.x + pad + theme::px(2));
-  if (p.y + line + theme::px(8) > low.y + view.size.y) p.y = low.y + at.y - theme::px(20) - line;
-  p.y = std::max(p.y, low.y + theme::px(6));
+  const float left = low.x + at.x - theme::px(20) - whole, right = low.x + at.x + theme::px(20);
+  const float above = low.y + at.y - theme::px(18) - line, below = low.y + at.y + theme::px(14);
+  ImVec2 p{away.x < -theme::px(4) ? left : right, away.y < -theme::px(4) ? above : below};
+  if (p.x + whole + pad > low.x + view.size.x) p.x = left;
+  if (p.x < low.x + pad) p.x = std::min(right, low.x + view.size.x - whole - pad);
+  p.x = std::max(p.x, low.x + pad);
+  if (p.y + line + theme::px(8) > low.y + view.size.y) p.y = above;
+  if (p.y < low.y + theme::px(6)) p.y = below;
   p = {std::round(p.x), std::round(p.y)};
   ImDrawList& list = canvas.list;
   list.AddRectFilled({p.x - pad, p.y - theme::px(4)}, {p.x + whole + pad, p.y + line + theme::px(4)}, theme::grey(20, 225), theme::px(4));

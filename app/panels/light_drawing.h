@@ -29,7 +29,7 @@ struct LightLook {
 void drawLight(const LightCanvas&, const Light&, float aim, const LightLook&);
 // The sign on the picture's edge of one outside it.
 void drawLightEdge(const LightCanvas&, const Light&, glm::vec2 at, const LightLook&);
-// Its name and its light, or what is being set; known as "light label".
-void drawLightLabel(const LightCanvas&, glm::vec2 at, const std::string& title, const std::string& detail, bool selected);
+// Its name and its light, or what is being set, beside `at` and `away` from the light; known as "light label".
+void drawLightLabel(const LightCanvas&, glm::vec2 at, glm::vec2 away, const std::string& title, const std::string& detail, bool selected);
 
 }  // namespace glint

@@ -252,11 +252,12 @@ void LightGizmos::drawAll(Editor& editor, const LightCanvas& canvas, const std::
   if (selected >= 0 && size_t(selected) < lights.size()) one(size_t(selected));
   if (!hit || hit->light >= lights.size()) return;
   const Light& light = lights[hit->light];
-  glm::vec2 at = placeOf(light, view).at;
+  const glm::vec2 middle = placeOf(light, view).at;
+  glm::vec2 at = middle;
   if (!hit->edge)
     for (const LightHandle& handle : lightHandles(light, view, aimOf(light, hit->light, view)))
       if (const auto p = view.project(handle.at); p && handle.grip == hit->grip) at = *p;
-  drawLightLabel(canvas, at, titleOf(light, hit->light), detailOf(light, *hit), int(hit->light) == selected);
+  drawLightLabel(canvas, at, at - middle, titleOf(light, hit->light), detailOf(light, *hit), int(hit->light) == selected);
 }
 
 bool LightGizmos::draw(Editor& editor, ImVec2 low, ImVec2 size, bool hovered) {
