@@ -82,21 +82,20 @@ struct Chosen {
   double weight;
 };
 
-std::vector<Chosen> choose(const std::vector<float>& pixels) {
-  constexpr size_t kMost = EnvironmentBenchmark::kTexels;
+std::vector<Chosen> choose(const std::vector<float>& pixels, size_t most) {
   std::vector<size_t> texels(pixels.size() / 3);
   std::iota(texels.begin(), texels.end(), size_t{0});
   std::vector<Chosen> chosen;
-  if (texels.size() <= 2 * kMost) {
+  if (texels.size() <= 2 * most) {
     for (const size_t texel : texels) chosen.push_back({texel, 1});
     return chosen;
   }
   const auto light = [&](size_t texel) { return pixels[3 * texel] + pixels[3 * texel + 1] + pixels[3 * texel + 2]; };
-  std::nth_element(texels.begin(), texels.begin() + kMost, texels.end(), [&](size_t a, size_t b) { return light(a) > light(b); });
-  for (size_t i = 0; i < kMost; ++i) chosen.push_back({texels[i], 1});
-  std::sort(texels.begin() + kMost, texels.end());
-  const double rest = static_cast<double>(texels.size() - kMost);
-  for (size_t i = 0; i < kMost; ++i) chosen.push_back({texels[kMost + static_cast<size_t>((static_cast<double>(i) + 0.5) * rest / kMost)], rest / kMost});
+  std::nth_element(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(most), texels.end(), [&](size_t a, size_t b) { return light(a) > light(b); });
+  for (size_t i = 0; i < most; ++i) chosen.push_back({texels[i], 1});
+  std::sort(texels.begin() + static_cast<std::ptrdiff_t>(most), texels.end());
+  const double rest = static_cast<double>(texels.size() - most);
+  for (size_t i = 0; i < most; ++i) chosen.push_back({texels[most + static_cast<size_t>((static_cast<double>(i) + 0.5) * rest / static_cast<double>(most))], rest / static_cast<double>(most)});
   return chosen;
 }
 
@@ -119,7 +118,7 @@ Diagnostics EnvironmentBenchmark::brdf() {
   return made ? Diagnostics{} : made.diagnostics();
 }
 
-Result<std::vector<double>> EnvironmentBenchmark::errors(const EnvironmentPtr& environment) {
+Result<std::vector<double>> EnvironmentBenchmark::errors(const EnvironmentPtr& environment, size_t texels) {
   EnvironmentLighting lighting(programs_, rectangles_, false);
   const auto rows = lighting.lobe(setting_);
   if (!rows) return rows.diagnostics();
@@ -130,7 +129,7 @@ Result<std::vector<double>> EnvironmentBenchmark::errors(const EnvironmentPtr& e
   std::vector<double> errors;
   for (int level = 1; level < EnvironmentLighting::kLevels; ++level) {
     const std::vector<float> pixels = levelPixels(*cube, level);
-    const std::vector<Chosen> chosen = choose(pixels);
+    const std::vector<Chosen> chosen = choose(pixels, texels);
     const LobeTable table((*rows)[static_cast<size_t>(level)]);
     const size_t size = size_t(EnvironmentLighting::kSize >> level);
     std::vector<double> differences(chosen.size()), wholes(chosen.size());

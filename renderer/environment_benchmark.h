@@ -18,9 +18,8 @@ class EnvironmentBenchmark {
   Diagnostics brdf();
   // Of each rough level of the prefiltered cube, the root mean square error relative to the root mean square of the exact
   // values: the lobe's average over every pixel of the environment. Over all texels of a level, or where it has more over an
-  // even choice of kTexels and the brightest kTexels, which an even choice would miss.
-  Result<std::vector<double>> errors(const EnvironmentPtr&);
-  static constexpr size_t kTexels = 512;
+  // even choice of some and as many of the brightest, which an even choice would miss.
+  Result<std::vector<double>> errors(const EnvironmentPtr&, size_t texels = 512);
 
  private:
   ProgramCache programs_;

@@ -8,6 +8,7 @@
 
 #include "materials/base/hash.h"
 #include "renderer/disk_cache.h"
+#include "renderer/environment_irradiance.h"
 #include "renderer/lobe.h"
 #include "shaders/shipped_files.h"
 
@@ -105,9 +106,17 @@ const EnvironmentMaps& EnvironmentLighting::maps(const EnvironmentPtr& environme
   const float peak = *std::max_element(image.data.begin(), image.data.end());
   maps.scale = peak > kBrightest ? kBrightest / peak : 1;
   maps.cube = drawCube(image, maps.size, maps.scale, environment->name);
-  maps.irradiance = irradianceHarmonics(image);
-  for (glm::vec4& coefficient : maps.irradiance) coefficient *= maps.scale;
-  maps.irradianceBuffer = gl::createBuffer(std::as_bytes(std::span(maps.irradiance)));
+  DiffuseLight diffuse = diffuseLight(image);
+  for (glm::vec4& coefficient : diffuse.harmonics) coefficient *= maps.scale;
+  // The shader asks the first one where the light is.
+  diffuse.harmonics[0].w = diffuse.needsMap() ? 1 : 0;
+  maps.harmonics = gl::createBuffer(std::as_bytes(std::span(diffuse.harmonics)));
+  if (diffuse.needsMap()) {
+    constexpr int kSide = DiffuseLight::kMapSize;
+    for (glm::vec4& texel : diffuse.map) texel *= maps.scale;
+    maps.irradianceCube = gl::createTextureCube(GL_RGBA16F, kSide, 1);
+    glTextureSubImage3D(maps.irradianceCube.id(), 0, 0, 0, 0, kSide, kSide, 6, GL_RGBA, GL_FLOAT, diffuse.map.data());
+  }
   if (progress_) progress_("environment " + environment->name, 1);
   return maps_.put(environment->hash, std::move(maps));
 }
@@ -125,7 +134,7 @@ GLuint EnvironmentLighting::uniformCube(int value) {
 GLuint EnvironmentLighting::whiteIrradiance() {
   if (!whiteHarmonics_) {
     std::array<glm::vec4, 9> harmonics{};
-    harmonics[0] = glm::vec4(1);
+    harmonics[0] = glm::vec4(1, 1, 1, 0);
     whiteHarmonics_ = gl::createBuffer(std::as_bytes(std::span(harmonics)));
   }
   return whiteHarmonics_.id();
@@ -325,29 +334,6 @@ Result<std::string> EnvironmentLighting::drawBrdf(const ModelSetting& setting, L
 EnvironmentLighting::Invalid EnvironmentLighting::invalid(const ModelSetting& setting) const {
   const auto found = invalid_.find(keyOf(setting));
   return found == invalid_.end() ? Invalid{} : found->second;
-}
-
-std::array<glm::vec4, 9> irradianceHarmonics(const ImageF& image) {
-  std::array<glm::dvec3, 9> sum{};
-  const double kPi = 3.14159265358979324;
-  for (int y = 0; y < image.height; ++y) {
-    const double theta = (y + 0.5) / image.height * kPi;
-    const double solid = (std::cos(static_cast<double>(y) / image.height * kPi) - std::cos((y + 1.0) / image.height * kPi)) * 2 * kPi / image.width;
-    for (int x = 0; x < image.width; ++x) {
-      const double phi = ((x + 0.5) / image.width - 0.5) * 2 * kPi;
-      const double dx = std::sin(theta) * std::cos(phi), dy = std::cos(theta), dz = std::sin(theta) * std::sin(phi);
-      const float* p = image.at(x, y);
-      const glm::dvec3 radiance = glm::dvec3(p[0], p[1], p[2]) * solid;
-      const double basis[9] = {1, dy, dz, dx, dx * dy, dy * dz, 3 * dz * dz - 1, dx * dz, dx * dx - dy * dy};
-      for (size_t i = 0; i < 9; ++i) sum[i] += radiance * basis[i];
-    }
-  }
-  // Y_lm's constant squared, times A_l / pi: A_0 = pi, A_1 = 2 pi / 3, A_2 = pi / 4.
-  const double c0 = 1 / (4 * kPi), c1 = 3 / (4 * kPi) * (2.0 / 3), c2 = 15 / (4 * kPi) * 0.25;
-  const double scale[9] = {c0, c1, c1, c1, c2, c2, 5 / (16 * kPi) * 0.25, c2, 15 / (16 * kPi) * 0.25};
-  std::array<glm::vec4, 9> result;
-  for (size_t i = 0; i < 9; ++i) result[i] = glm::vec4(glm::vec3(sum[i] * scale[i]), 0);
-  return result;
 }
 
 }  // namespace glint

@@ -36,8 +36,9 @@ struct EnvironmentMaps {
   int size = 0;                          // texels along a side of level 0
   // Both maps hold radiance times this: 1, unless the brightest is more than half a float holds well.
   float scale = 1;
-  std::array<glm::vec4, 9> irradiance{}; // of shaders/passes/lighting.frag: E / pi, constants folded in
-  gl::Buffer irradianceBuffer;
+  // The diffuse light (environment_irradiance.h), in a cube where harmonics are too far off; none otherwise.
+  gl::Buffer harmonics;                  // of shaders/passes/lighting.frag
+  gl::Texture irradianceCube;
 };
 
 // The direction of a point of a cube map's face, from 0 to 1 both ways: as cubeDirection() of shaders/common/cube.glsl.
@@ -75,7 +76,7 @@ class EnvironmentLighting {
   size_t cubes() const { return prefiltered_.size(); }
 
   const EnvironmentMaps& maps(const EnvironmentPtr&);
-  // A cube that is black (0) or white (1) all over, and EnvironmentMaps::irradianceBuffer of white light from all sides.
+  // A cube that is black (0) or white (1) all over, and EnvironmentMaps::harmonics of white light from all sides.
   GLuint uniformCube(int value);
   GLuint whiteIrradiance();
   // The model's lobe over the environment (cube), and its environment BRDF (2D, linear filter, clamped). An error
@@ -157,8 +158,5 @@ struct LobeWidths {
 
   void apply(const gl::Program&) const;
 };
-
-// Coefficients of the irradiance of an environment (Ramamoorthi and Hanrahan 2001, eq. 13), over pi.
-std::array<glm::vec4, 9> irradianceHarmonics(const ImageF& equirect);
 
 }  // namespace glint

@@ -99,14 +99,21 @@ Result<LightingPass::Surroundings> LightingPass::surroundings(const Frame& frame
   if (model.definesCoat)
     if (Diagnostics faults = ask(Lobe::Coat, around.coatCube, around.coatBrdf); !faults.empty()) return faults;
   if (model.usesTangent && !furnace) around.stretch = lighting_.stretch(setting);
-  around.irradiance = furnace ? lighting_.whiteIrradiance() : lighting_.maps(environment).irradianceBuffer.id();
+  if (furnace) {
+    around.harmonics = lighting_.whiteIrradiance();
+  } else {
+    const EnvironmentMaps& maps = lighting_.maps(environment);
+    around.harmonics = maps.harmonics.id();
+    if (maps.irradianceCube) around.irradianceCube = maps.irradianceCube.id();
+  }
   return around;
 }
 
 void LightingPass::bind(const Surroundings& around, const ShadingModel& model, const gl::Program& program) {
   glBindTextureUnit(6, around.cube);
   glBindTextureUnit(7, around.brdf.texture);
-  glBindBufferBase(GL_UNIFORM_BUFFER, 3, around.irradiance);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 3, around.harmonics);
+  glBindTextureUnit(18, around.irradianceCube ? around.irradianceCube : lighting_.uniformCube(0));
   if (model.definesCoat) {
     glBindTextureUnit(11, around.coatCube);
     glBindTextureUnit(12, around.coatBrdf.texture);

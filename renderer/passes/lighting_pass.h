@@ -27,7 +27,7 @@ class LightingPass {
  private:
   // What an environment, or the white furnace, gives a group.
   struct Surroundings {
-    GLuint cube = 0, irradiance = 0, coatCube = 0;
+    GLuint cube = 0, harmonics = 0, irradianceCube = 0, coatCube = 0;
     EnvironmentLighting::BrdfTable brdf, coatBrdf;
     std::array<glm::vec2, EnvironmentLighting::kLevels> stretch{};
   };

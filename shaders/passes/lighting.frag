@@ -19,10 +19,13 @@ layout(binding = 6) uniform samplerCube prefilteredEnvironment;
 // Where the one lobe of a model stands that does not read the roughness: EnvironmentLighting::kOwnLobeLevel.
 const float kOwnLobeLevel = 1.0;
 layout(binding = 7) uniform sampler2D environmentBrdf;  // x: NoV, y: roughness
-layout(std140, binding = 3) uniform EnvironmentData { vec4 irradiance[9]; };  // spherical harmonics of E / pi
+layout(binding = 18) uniform samplerCube irradianceCube;
+// Spherical harmonics of E / pi; in the first one's w is 1 where irradianceCube has it instead: see renderer/environment_irradiance.h.
+layout(std140, binding = 3) uniform EnvironmentData { vec4 irradiance[9]; };
 
 // Ramamoorthi and Hanrahan 2001; the constants of the basis are folded into the coefficients.
 vec3 diffuseIrradiance(vec3 n) {
+  if (irradiance[0].w != 0.0) return textureLod(irradianceCube, n, 0.0).rgb;
   vec3 e = irradiance[0].rgb + irradiance[1].rgb * n.y + irradiance[2].rgb * n.z + irradiance[3].rgb * n.x +
            irradiance[4].rgb * (n.x * n.y) + irradiance[5].rgb * (n.y * n.z) +
            irradiance[6].rgb * (3.0 * n.z * n.z - 1.0) + irradiance[7].rgb * (n.x * n.z) +

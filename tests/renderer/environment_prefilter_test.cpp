@@ -8,13 +8,16 @@
 
 #include "renderer/environment.h"
 #include "renderer/environment_benchmark.h"
+#include "renderer/environment_irradiance.h"
 #include "renderer/environment_spots.h"
 #include "tests/support/renderer_fixture.h"
+#include "tests/support/simple_scene.h"
 
 namespace glint {
 namespace {
 
 constexpr int kWidth = 256;
+constexpr size_t kTexels = 64;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr SpotSizes kSizes{4 * kDegree, 0.5 * kDegree};
 
@@ -74,12 +77,55 @@ TEST(EnvironmentSpots, ThereAreOnlySoMany) {
   EXPECT_NEAR(lightOf(found.rest).g, lightOf(image).g - [&] { double sum = 0; for (const auto& s : found.spots) sum += static_cast<double>(s.irradiance.g); return sum; }(), 1e-3);
 }
 
+// Irradiance over pi of a constant is the constant; of a sky that is 1 above the horizon, (1 + n.y) / 2.
+TEST(DiffuseLight, OfAConstantAndOfHalfASky) {
+  const auto evaluate = [](const std::array<glm::vec4, 9>& c, glm::vec3 n) {
+    return c[0].x + c[1].x * n.y + c[2].x * n.z + c[3].x * n.x + c[4].x * n.x * n.y + c[5].x * n.y * n.z +
+           c[6].x * (3 * n.z * n.z - 1) + c[7].x * n.x * n.z + c[8].x * (n.x * n.x - n.y * n.y);
+  };
+  const auto constant = diffuseLight(test::uniformEnvironment(2)->pixels).harmonics;
+  EXPECT_NEAR(evaluate(constant, glm::normalize(glm::vec3(1, 2, -3))), 2, 1e-3);
+  ImageF sky(128, 64, 3);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 128; ++x) std::fill_n(sky.at(x, y), 3, 1.0f);
+  const auto half = diffuseLight(sky).harmonics;
+  for (const glm::vec3 n : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::normalize(glm::vec3(1, 1, 0)), glm::vec3(0, 0, 1)})
+    EXPECT_NEAR(evaluate(half, n), (1 + n.y) / 2, 2e-3);
+  // A light from +X alone is brightest there.
+  ImageF spot(128, 64, 3);
+  spot.at(64, 32)[0] = 100;
+  const auto side = diffuseLight(spot).harmonics;
+  EXPECT_GT(evaluate(side, {1, 0, 0}), 5 * std::abs(evaluate(side, {0, 0, 1})));
+  EXPECT_GT(evaluate(side, {1, 0, 0}), evaluate(side, glm::vec3(std::cos(1.0f), 0, std::sin(1.0f))));
+}
+
+// The map is exact, and used where harmonics are not.
+TEST(DiffuseLight, AMapHasWhatHarmonicsHaveNot) {
+  const DiffuseLight even = diffuseLight(pictureWithDisc(kAbove, 1 * kDegree, 0));
+  EXPECT_LT(even.harmonicsError, 0.001);
+  EXPECT_FALSE(even.needsMap());
+  const ImageF image = pictureWithDisc(kAbove, 1 * kDegree, 20000);
+  const DiffuseLight sun = diffuseLight(image);
+  EXPECT_GT(sun.harmonicsError, 0.05);
+  EXPECT_TRUE(sun.needsMap());
+  constexpr int kSize = DiffuseLight::kMapSize;
+  for (const int texel : {0, 300, 517, 777, 1034, 1535}) {
+    const glm::vec3 n = glm::normalize(cubeDirection(texel / (kSize * kSize), (glm::vec2(texel % kSize, texel / kSize % kSize) + 0.5f) / static_cast<float>(kSize)));
+    double exact = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        exact += static_cast<double>(image.at(x, y)[1] * std::max(0.0f, glm::dot(n, environmentDirection(x, y, image.width, image.height)))) *
+                 solidAngle(y, image.width, image.height) / std::numbers::pi;
+    EXPECT_NEAR(static_cast<double>(sun.map[static_cast<size_t>(texel)].g), exact, 2e-3 * exact + 1e-4) << texel;
+  }
+}
+
 class Prefiltered : public test::RendererFixture<Prefiltered> {
  protected:
   static std::vector<double> errors(ImageF pixels) {
     const auto environment = std::make_shared<Environment>(Environment{"test", std::move(pixels), 0});
     EnvironmentBenchmark benchmark(*models->get("ggx"));
-    const auto found = benchmark.errors(environment);
+    const auto found = benchmark.errors(environment, kTexels);
     EXPECT_TRUE(found);
     return *found;
   }
@@ -107,7 +153,7 @@ TEST_F(Prefiltered, ASunInANarrowLobeIsWhole) {
   ASSERT_TRUE(model);
   EnvironmentBenchmark benchmark(std::make_shared<const ShadingModel>(*model));
   const auto environment = std::make_shared<Environment>(Environment{"test", pictureWithDisc(kAbove, 1.5 * kDegree, 5000, 1024), 7});
-  const auto found = benchmark.errors(environment);
+  const auto found = benchmark.errors(environment, kTexels);
   ASSERT_TRUE(found);
   EXPECT_LT(found->front(), 0.1);
 }

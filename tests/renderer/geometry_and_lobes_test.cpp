@@ -150,27 +150,5 @@ TEST(Lobe, AKernelOfZerosYieldsTheAxis) {
   EXPECT_EQ(glm::vec3(samples[0]), glm::vec3(0, 0, 1));
 }
 
-// Irradiance over pi of a constant is the constant; of a sky that is 1 above the horizon, (1 + n.y) / 2.
-TEST(IrradianceHarmonics, ConstantAndHalfSky) {
-  const auto evaluate = [](const std::array<glm::vec4, 9>& c, glm::vec3 n) {
-    return c[0].x + c[1].x * n.y + c[2].x * n.z + c[3].x * n.x + c[4].x * n.x * n.y + c[5].x * n.y * n.z +
-           c[6].x * (3 * n.z * n.z - 1) + c[7].x * n.x * n.z + c[8].x * (n.x * n.x - n.y * n.y);
-  };
-  const auto constant = irradianceHarmonics(test::uniformEnvironment(2)->pixels);
-  EXPECT_NEAR(evaluate(constant, glm::normalize(glm::vec3(1, 2, -3))), 2, 1e-3);
-  ImageF sky(128, 64, 3);
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 128; ++x) std::fill_n(sky.at(x, y), 3, 1.0f);
-  const auto half = irradianceHarmonics(sky);
-  for (const glm::vec3 n : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::normalize(glm::vec3(1, 1, 0)), glm::vec3(0, 0, 1)})
-    EXPECT_NEAR(evaluate(half, n), (1 + n.y) / 2, 2e-3);
-  // A light from +X alone is brightest there.
-  ImageF spot(128, 64, 3);
-  spot.at(64, 32)[0] = 100;
-  const auto side = irradianceHarmonics(spot);
-  EXPECT_GT(evaluate(side, {1, 0, 0}), 5 * std::abs(evaluate(side, {0, 0, 1})));
-  EXPECT_GT(evaluate(side, {1, 0, 0}), evaluate(side, glm::vec3(std::cos(1.0f), 0, std::sin(1.0f))));
-}
-
 }  // namespace
 }  // namespace glint
