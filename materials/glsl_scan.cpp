@@ -199,6 +199,7 @@ class Scanner {
     noteOperator(token);
     checkArray(token);
     checkLoop(token);
+    checkDivision(token);
     beforePrevious_ = previous_;
     previous_ = token;
     const bool inBody = !open_.empty() && open_.front().text[0] == '{';
@@ -232,6 +233,50 @@ class Scanner {
     }
     noteStatement();
     statement_.clear();
+  }
+
+  // By a zero that is written out, in brackets or not. Compilers may make anything of it: software ones leave 0, which looks
+  // sound and is infinite elsewhere.
+  void checkDivision(const Token& slash) {
+    if (slash.text != "/") return;
+    size_t at = at_, brackets = 0;
+    const auto skip = [&](char wanted) {
+      while (at < text_.size() && std::isspace(static_cast<unsigned char>(text_[at]))) ++at;
+      if (at >= text_.size() || text_[at] != wanted) return false;
+      ++at;
+      return true;
+    };
+    skip('=');
+    while (skip('(')) ++brackets;
+    size_t end = at;
+    while (end < text_.size() && (isNameChar(text_[end]) || text_[end] == '.')) ++end;
+    const std::string_view number = text_.substr(at, end - at);
+    if (brackets == 1 && isItselfTakenAway(at)) return fault(slash.line, "divides by 0", "what is in the brackets is taken from itself");
+    if (number.find('0') == number.npos || number.find_first_not_of("0.fFuUlL") != number.npos) return;
+    at = end;
+    while (brackets > 0 && skip(')')) --brackets;
+    if (brackets == 0) fault(slash.line, "divides by 0", "what that gives is undefined: 0 here, infinity elsewhere");
+  }
+
+  // Whether brackets that end after `at` hold "x - x".
+  bool isItselfTakenAway(size_t at) const {
+    std::string sides[2];
+    int depth = 0, side = 0;
+    for (; at < text_.size() && sides[0].size() < 200; ++at) {
+      const char c = text_[at];
+      if (std::isspace(static_cast<unsigned char>(c))) continue;
+      if (depth == 0 && c == ')') return side == 1 && !sides[0].empty() && sides[0] == sides[1];
+      if (c == '(' || c == '[') ++depth;
+      if (c == ')' || c == ']') --depth;
+      if (depth == 0 && c == '-' && !sides[0].empty() && side == 0) {
+        side = 1;
+        continue;
+      }
+      // Other operators have other rules.
+      if (depth == 0 && std::string_view("+-,;{}?:<>=&|").find(c) != std::string_view::npos) return false;
+      sides[side] += c;
+    }
+    return false;
   }
 
   void checkWord(std::string_view word, int line) {

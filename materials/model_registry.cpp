@@ -136,8 +136,8 @@ bool ModelRegistry::refresh() {
     const auto [found, fresh] = models.emplace(file.model->id, file.model);
     if (fresh) continue;
     hidden.push_back(file.model);
-    problems.push_back(warning(fmt::format("{}:{}", path.string(), file.model->idLine),
-                               fmt::format("its id '{}' is taken by {}, which is used", file.model->id, found->second->file.string()),
+    problems.push_back(error(fmt::format("{}:{}", path.string(), file.model->idLine),
+                               fmt::format("its id '{}' is taken by {}:{}, which is used", file.model->id, found->second->file.string(), found->second->idLine),
                                path.extension() == ".glsl" ? "give it an id of its own" : "give the file another name: that is its id"));
   }
   changed |= problems != problems_;
@@ -200,7 +200,11 @@ Result<ModelPtr> ModelRegistry::named(const std::string& idOrFile, Diagnostics* 
 
 Diagnostics ModelRegistry::warnings() const {
   Diagnostics found;
-  std::copy_if(problems_.begin(), problems_.end(), std::back_inserter(found), [](const Diagnostic& d) { return d.severity == Severity::Warning; });
+  const auto isHidden = [&](const Diagnostic& d) {
+    return std::any_of(hidden_.begin(), hidden_.end(), [&](const ModelPtr& model) { return d.place == fmt::format("{}:{}", model->file.string(), model->idLine); });
+  };
+  for (const Diagnostic& d : problems_)
+    if (d.severity == Severity::Warning || isHidden(d)) found.push_back(warning(d.place, d.what, d.hint));
   return found;
 }
 

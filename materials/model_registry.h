@@ -21,7 +21,7 @@ class ModelRegistry {
  public:
   // Reads the shipped models, then each folder's files of models (model_file.h) in order, the folder models/ of the
   // user's configuration last. Hidden files are left out; a link is followed; files over 256 KiB are an error.
-  // Two files with one id: the first is used, the second is a warning that names both. Faults never stop the others:
+  // Two files with one id: the first is used, the second is an error that names both. Faults never stop the others:
   // see problems().
   // `files` are single plugins, whose folders are not looked at; they come before the folders'.
   explicit ModelRegistry(std::vector<std::filesystem::path> folders = {}, std::vector<std::filesystem::path> files = {});
@@ -40,7 +40,7 @@ class ModelRegistry {
   // What is wrong with the files as they are now: errors, whose file has no model or keeps its last good one, and
   // warnings.
   const Diagnostics& problems() const { return problems_; }
-  // Those that are warnings: worth saying whatever is done with a model.
+  // Of those what is worth saying whatever is done with a model, as warnings: also that a file has lost its id.
   Diagnostics warnings() const;
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 

@@ -268,6 +268,8 @@ class Examination {
     const bool followsF0 = facing.specular.g - facing.specularBlack.g > 0.05 * facing.specular.g;
     LawResult& law = result(Law::Energy);
     law.claimed = model_.claims.energyConserving;
+    if (between > 0)
+      black_ = std::none_of(sums.begin(), sums.end(), [](const ModelIntegral& s) { return s.specular != glm::dvec3(0) || s.diffuse != glm::dvec3(0) || s.scattered != glm::dvec3(0); });
     for (size_t i = 0; i < sums.size(); ++i) {
       if (hasD_) distribution(sums[i].distribution, queries[i]);
       if (followsF0 && !queries[i].authored) furnace(sums[i], queries[i]);
@@ -355,6 +357,14 @@ class Examination {
   }
 
   void sampler(const ModelProbe& probe) {
+    if (black_) {
+      LawResult& law = result(Law::Sampler);
+      law.verdict = Verdict::Red;
+      law.where = fmt::format("{}:{}", (model_.sourceFile.empty() ? model_.file : model_.sourceFile).string(), firstFunctionLine());
+      law.reason = "reflects nothing from any direction: there is no lobe to draw directions from";
+      law.hint = "check the parameters' defaults and what is clamped to 0";
+      return;
+    }
     const auto made = ModelSampler::of(modelSetting(model_));
     if (!made) return;
     LawResult& law = result(Law::Sampler);
@@ -367,13 +377,21 @@ class Examination {
     law.hint = "a sampler is tabulated from f, which must be finite and positive";
   }
 
+  // Of the file's first function that a model is made of; of its head without one.
+  int firstFunctionLine() const {
+    for (const GlslFunction& f : scanGlsl(model_.source).functions)
+      for (const char* name : {"BRDF", "specular", "D", "V", "F", "diffuse"})
+        if (f.name == model_.namePrefix + name) return f.line;
+    return model_.idLine;
+  }
+
   bool stopped() const { return stopped_ && stopped_(); }
 
   const ShadingModel& model_;
   bool compensate_;
   ModelHealth& card_;
   const std::function<bool()>& stopped_;
-  bool hasD_ = false;
+  bool hasD_ = false, black_ = false;  // black: reflects nothing at all
   std::vector<ProbePoint> points_;
   std::string setting_;  // ", gamma 4" while a parameter is not at its default
   std::pair<std::string, Value> end_;  // that one
@@ -425,7 +443,7 @@ std::vector<ModelHealth> unusableModels(const ModelRegistry& registry, const std
     const auto hides = [&](const ModelPtr& model) {
       return problem.place == fmt::format("{}:{}", model->file.string(), model->idLine) && (id.empty() || model->id == id);
     };
-    const bool hidden = problem.severity == Severity::Warning && std::any_of(registry.hidden().begin(), registry.hidden().end(), hides);
+    const bool hidden = std::any_of(registry.hidden().begin(), registry.hidden().end(), hides);
     if (hidden || (id.empty() && problem.severity == Severity::Error)) faults[problem.place.substr(0, problem.place.rfind(':'))].push_back(problem);
   }
   std::vector<ModelHealth> cards;

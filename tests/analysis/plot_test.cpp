@@ -193,7 +193,7 @@ TEST_F(Plots, OneCurveDoesNotFlattenTheOthers) {
   EXPECT_GT(*data.top, 0.05);
   EXPECT_LT(*data.top, 1);
   ASSERT_EQ(data.notes.size(), 1u);
-  EXPECT_THAT(data.notes[0], testing::ContainsRegex("GGX .*90. reaches .*: cut off"));
+  EXPECT_THAT(data.notes[0], testing::ContainsRegex("GGX .*90.* reaches .*: cut off"));
   EXPECT_FALSE(compute("polar:angle=0/45/90,log=1", {"ggx"}).top);
   EXPECT_FALSE(compute("polar:angle=0/45/90,max=1000", {"ggx"}).top);
   EXPECT_FALSE(compute("d:roughness=0.2/0.6", {"ggx"}).top);
@@ -203,7 +203,7 @@ TEST_F(Plots, AFaultOfAModelStopsNoOther) {
   const auto broken = parseModel("broken.glsl", "/*glint {\"id\": \"broken\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\nfloat x() { return y; }");
   ASSERT_TRUE(broken);
   const auto gaps = parseModel("gaps.glsl", "/*glint {\"id\": \"gaps\", \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n"
-                                            "float D(Shading s, Parameters p) { return s.NoH < 0.9 ? 1.0 / (s.NoH - s.NoH) : 1.0; }");
+                                            "float D(Shading s, Parameters p) { return s.NoH < 0.9 ? sqrt(s.NoH - 2.0) : 1.0; }");
   ASSERT_TRUE(gaps);
   const PlotData data = *computer_->compute(settings("d"), {{std::make_shared<const ShadingModel>(*broken), {}, "Broken"},
                                                             {std::make_shared<const ShadingModel>(*gaps), {}, "Gaps"}, subject("ggx")});

@@ -88,7 +88,7 @@ TEST(VerifyCommand, TakesModelsAsTheyAreNamed) {
   write("mine/two.glsl", "/*glint {\"id\": \"twin\", \"terms\": {\"D\": \"GGX\", \"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\n");
   const auto twin = glint({"verify", "twin", "--models-dir", "mine"});
   EXPECT_EQ(twin.code, 1);
-  EXPECT_THAT(twin.out, testing::AllOf(HasSubstr("green   twin"), HasSubstr("red     mine/two.glsl"), HasSubstr("its id 'twin' is taken by mine/one.glsl")));
+  EXPECT_THAT(twin.out, testing::AllOf(HasSubstr("green   twin"), HasSubstr("red     mine/two.glsl"), HasSubstr("its id 'twin' is taken by mine/one.glsl:1")));
   EXPECT_EQ(glint({"verify", "ggx", "--models-dir", "mine"}).code, 0);
 
   const auto mirror = [](const std::string& model) {
@@ -143,7 +143,7 @@ TEST(ModelsCommand, ATakenIdIsSaid) {
     EXPECT_EQ(ran.code, 0) << ran.err;
     ASSERT_EQ(ran.errorLines().size(), 1u) << ran.err;
     EXPECT_EQ(ran.err.rfind("glint: warning: mine/other.glsl:1: its id 'ggx' is taken by ", 0), 0u) << ran.err;
-    EXPECT_THAT(ran.err, HasSubstr("shaders/models/ggx.glsl, which is used"));
+    EXPECT_THAT(ran.err, HasSubstr("shaders/models/ggx.glsl:3, which is used"));
   }
   EXPECT_EQ(glint({"models", "--models-dir", "mine"}).code, 1);
 }

@@ -229,6 +229,17 @@ TEST(ModelHead, TextThatNoCompilerSurvives) {
   EXPECT_THAT(faults(plugin("", "#define U uni ## form\nU float x;\n")), HasSubstr("## pastes words together"));
 }
 
+// Software drivers make 0 of it, which would pass for sound.
+TEST(ModelHead, ADivisionByZeroIsNamed) {
+  const auto of = [](const std::string& value) { return faults(plugin("", "float f(float x, vec3 v) {\n  return " + value + ";\n}")); };
+  for (const char* zero : {"x / 0.0", "x/0.", "x / .0", "x / (0.0)", "x / ( ( 0 ) )", "sqrt(x - 2.0) / 0.0 * x", "x / 00.0f", "x / 0", "x / (x - x)", "x/(v.x-v.x)",
+                           "x / (dot(v, v) - dot( v,v ))"})
+    EXPECT_THAT(of(zero), HasSubstr("m.glsl:6: divides by 0")) << zero;
+  for (const char* sound : {"x / 0.5", "x / 10.0", "x / (0.0 + x)", "x / 0.01", "x / v.x", "x // 0.0\n", "x / (v.x * 0.0 + 1.0)", "x / 1e0", "x / 0.0001e4", "x / 0x1", "x / (x - v.x)", "x / (2.0 * x - x)", "x / (x)", "x / (x - x * 0.5)", "x / (x - x + 1.0)"})
+    EXPECT_EQ(of(sound).find("divides"), std::string::npos) << sound;
+  EXPECT_THAT(faults(plugin("", "float f(float x) {\n  x /= 0.0;\n  return x;\n}")), HasSubstr("m.glsl:6: divides by 0"));
+}
+
 TEST(GlslScan, SeesWhatIsDefinedAndNothingElse) {
   const GlslScan scan = scanGlsl(R"(// About f.
 // More.

@@ -244,6 +244,12 @@ TEST_F(Laws, DiffusePartCounts) {
               testing::HasSubstr("amber: a white diffuse surface reflects only 0.8 "));
 }
 
+TEST_F(Laws, WhatReflectsNothingIsRed) {
+  EXPECT_THAT(verdict("{}", "vec3 specular(Shading s, Parameters p) { return vec3(0.0); }\nvec3 diffuse(Shading s, Parameters p) { return vec3(0.0); }"),
+              testing::HasSubstr("red: reflects nothing from any direction: there is no lobe to draw directions from (planted.glsl:2)"));
+  EXPECT_EQ(verdict("{}", "vec3 specular(Shading s, Parameters p) { return vec3(0.0); }"), "") << "diffuse light alone";
+}
+
 TEST_F(Laws, OnlyClaimsBind) {
   EXPECT_THAT(verdict(kDVF, "vec3 diffuse(Shading s, Parameters p) { return s.diffuseColor * 0.5 * s.NoV; }", "false"),
               testing::AllOf(testing::HasSubstr("amber: is not reciprocal"), testing::Not(testing::HasSubstr("red"))));

@@ -94,7 +94,7 @@ TEST_F(Registry, TwoFilesWithOneId) {
   ModelRegistry models = registry();
   EXPECT_EQ(models.find("mine")->termD, "GGX");
   ASSERT_EQ(models.problems().size(), 1u);
-  EXPECT_THAT(models.problems()[0].text(), testing::AllOf(HasSubstr("b/second.glsl"), HasSubstr("a/first.glsl, which is used")));
+  EXPECT_THAT(models.problems()[0].text(), testing::AllOf(HasSubstr("b/second.glsl"), HasSubstr("a/first.glsl:1, which is used")));
   fs::remove(folder_ / "a/first.glsl");
   EXPECT_TRUE(models.refresh());
   EXPECT_EQ(models.find("mine")->termD, "Beckmann");
