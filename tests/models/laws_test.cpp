@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "materials/base/files.h"
 #include "materials/model_registry.h"
 #include "renderer/gl/context.h"
 #include "renderer/model_health_cache.h"
+#include "renderer/model_speed.h"
 
 namespace glint {
 namespace {
@@ -215,6 +218,27 @@ TEST_F(Laws, LongLoopsAreNamed) {
   EXPECT_THAT(of("", "  if (s.roughness > 0.62 && s.roughness < 0.64) for (float i = 0.0; i < 1e9; i += 1.0) x += s.NoL;"),
               testing::AllOf(named, testing::HasSubstr("a loop takes more than 32768 turns")));
   EXPECT_EQ(of("#define N 16", "  for (int i = 0; i < N; ++i) x += s.NoL; int j = 0; do { ++j; } while (j < N);"), "");
+}
+
+// Other work of the process takes the processor too: that is not the model's fault.
+TEST_F(Laws, ABusyMachineBlamesNoModel) {
+  const auto plugin = [](const std::string& body) {
+    return *parseModel("planted.glsl", "/*glint {\"id\": \"planted\", \"terms\": {\"V\": \"SmithGGX\", \"F\": \"Schlick\"}} */\nfloat D(Shading s, Parameters p) { " + body + " }\n");
+  };
+  const ShadingModel straight = plugin("return D_GGX(s);"), looping = plugin("float x = 0.0;\nfor (int i = 0; i < 8; ++i) x += s.NoL;\nreturn x;");
+  const auto busyFor = [](int slowCalls, double seconds) {
+    return [left = slowCalls, seconds](int) mutable {
+      if (left-- <= 0) return;
+      const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+      while (std::chrono::steady_clock::now() < end) {}
+    };
+  };
+  EXPECT_FALSE(faultOfSpeed(straight, busyFor(1000, 0.012)));
+  EXPECT_TRUE(faultOfSpeed(straight, busyFor(1000, 0.2)));
+  EXPECT_FALSE(faultOfSpeed(looping, busyFor(12, 0.012)));
+  const auto slow = faultOfSpeed(looping, busyFor(1000, 0.02));
+  ASSERT_TRUE(slow);
+  EXPECT_EQ(slow->place, "planted.glsl:3");
 }
 
 // So is energy that is gained, or lost by the distribution, between two roughnesses alone.
