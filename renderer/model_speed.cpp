@@ -36,20 +36,20 @@ std::optional<Diagnostic> faultOfSpeed(const ShadingModel& model, const std::fun
   // Seconds: for the way to the device and back, and for a value. A table has tens of millions of them; sound models
   // take less than a hundredth of this for one.
   constexpr double kOverhead = 0.002, kValue = 2e-6;
-  // Without a loop a text of its size can only be so slow: what takes longer was held up by other work of this process.
+  // Without a loop a text of its size can only be so slow: what takes longer than a moment was held up by other work of this
+  // process, whose pictures are drawn by the same threads. A model with a loop is slow at each attempt, and not asked for long.
   const auto loop = lineOfDeepestLoop(model.source);
-  const double patience = loop ? 1 : 20;
-  // A busy machine lets go now and then; a slow model is slow at each attempt, and not asked for long.
+  const double moment = loop ? 0 : 1, mostSeconds = loop ? 0.5 : 5;
   constexpr int kAttempts = 24, kBeforeRest = 4;
-  constexpr double kMostSeconds = 0.5;
   const bool software = gl::isSoftware(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
   for (const int count : {16, 256, 4096}) {
-    const double most = patience * std::max(kOverhead, count * evaluations * kValue);
+    if (!loop && count < 4096) continue;  // the way there and back is all that few values show
+    const double most = std::max({moment, kOverhead, count * evaluations * kValue});
     double fastest = 1e9;
     const auto begin = std::chrono::steady_clock::now();
     for (int attempt = 0; attempt < kAttempts && fastest > most; ++attempt) {
       if (attempt >= kBeforeRest) {
-        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > kMostSeconds) break;
+        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > mostSeconds) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
       }
       fastest = std::min(fastest, secondsOf(evaluate, count, software));

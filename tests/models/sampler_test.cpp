@@ -145,7 +145,7 @@ TEST_F(Sampler, DrawsWhatItSays) {
 
 TEST_F(Sampler, WhatCannotBeTabulatedGoesByTheCosine) {
   for (const auto& [body, fault] : {std::pair{"return vec3(0.0);", "the specular part is 0 everywhere"},
-                                    {"return vec3(1.0) / (s.NoL - s.NoL);", "f is not finite at roughness 0, NoV 0"},
+                                    {"return vec3(1.0) / max(s.NoL - 2.0, 0.0);", "f is not finite at roughness 0, NoV 0"},
                                     {"return vec3(sqrt(s.NoL - 2.0));", "f is not finite at roughness 0, NoV 0"},
                                     {"return -s.F0;", "f is negative at roughness 0, NoV 0"}}) {
     const auto model = plugin(std::string("vec3 specular(Shading s, Parameters p) { ") + body + " }\n");
@@ -159,7 +159,7 @@ TEST_F(Sampler, WhatCannotBeTabulatedGoesByTheCosine) {
   }
   // Where only some of it cannot be, the rest is drawn from.
   const auto partly = plugin("vec3 specular(Shading s, Parameters p) {\n"
-                             "  return s.F0 * (s.roughness < 0.2 ? 1.0 / (s.NoL - s.NoL) : D_GGX(s) * V_SmithGGX(s)); }\n");
+                             "  return s.F0 * (s.roughness < 0.2 ? 1.0 / max(s.NoL - 2.0, 0.0) : D_GGX(s) * V_SmithGGX(s)); }\n");
   const auto sampler = ModelSampler::of(modelSetting(*partly), false);
   EXPECT_NE(sampler->fault(), "");
   EXPECT_GT(sampler->at(view(0.9), 0.3, glm::dvec3(1), glm::dvec3(0)).pdf({-std::sqrt(1 - 0.81), 0, 0.9}), 1);
