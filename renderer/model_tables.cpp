@@ -20,7 +20,7 @@ namespace {
 using std::numbers::pi;
 
 // Part of every key on disk: raise it when what is stored changes its meaning.
-constexpr uint64_t kCacheVersion = 3;
+constexpr uint64_t kCacheVersion = 5;
 constexpr GLuint kAreasUnit = 13, kLossesUnit = 14, kReflectancesUnit = 15;
 
 // As shaders/common/model_tables.glsl has them.
@@ -223,7 +223,7 @@ void add(ModelIntegral& to, const ModelIntegral& a, double x) {
 }
 
 // Along one axis of a table, where `stride` apart are `count` integrals and `blocks` of these axes follow each other: those
-// half way between are put in, by the parabola or the cubic through the nearest. Up to the index `straight` by a line.
+// half way between are put in, by the cubic through the nearest four. Up to the index `straight` by a line.
 std::vector<ModelIntegral> twiceAsMany(const std::vector<ModelIntegral>& coarse, size_t count, size_t stride, size_t straight) {
   const size_t blocks = coarse.size() / (count * stride), fineCount = 2 * count - 1;
   std::vector<ModelIntegral> fine(blocks * fineCount * stride);
@@ -239,9 +239,10 @@ std::vector<ModelIntegral> twiceAsMany(const std::vector<ModelIntegral>& coarse,
           add(middle, at(i + 1), 0.5);
         } else if (i == straight || i + 2 == count) {
           const bool up = i == straight;
-          middle = weighted(at(up ? i : i + 1), 3.0 / 8);
-          add(middle, at(up ? i + 1 : i), 6.0 / 8);
-          add(middle, at(up ? i + 2 : i - 1), -1.0 / 8);
+          middle = weighted(at(up ? i : i + 1), 5.0 / 16);
+          add(middle, at(up ? i + 1 : i), 15.0 / 16);
+          add(middle, at(up ? i + 2 : i - 1), -5.0 / 16);
+          add(middle, at(up ? i + 3 : i - 2), 1.0 / 16);
         } else {
           middle = weighted(at(i), 9.0 / 16);
           add(middle, at(i + 1), 9.0 / 16);
@@ -372,12 +373,13 @@ Result<LossTable> losses(const ModelSetting& setting) {
   for (const double r : tableRoughnesses(LossTable::kRoughnesses)) roughnesses.push_back(static_cast<float>(r));
   roughnesses.resize(static_cast<size_t>(table.rows));
   const std::vector<float> aspects = integrals->aspects(roughnesses);
-  // By layer, roughness and cosine. From several sides only every second roughness and cosine is asked for: their number
-  // makes up for it.
+  // By layer, roughness and cosine. Every second cosine is asked for: a smooth curve through them is as good as more, which
+  // lines between them, as textures have, are not. From several sides it is every fourth, and every second roughness: their
+  // number makes up for it.
   constexpr int kAsked = 7;
   const bool allAround = !model.usesTangent || lostAllAround(*integrals, roughnesses);
   table.layers = allAround ? 1 : LossTable::kLayers;
-  const size_t step = allAround ? 1 : 2, rows = (roughnesses.size() - 1) / step + 1, columns = (LossTable::kCosines - 1) / step + 1;
+  const size_t step = allAround ? 1 : 2, rows = (roughnesses.size() - 1) / step + 1, columnStep = 2 * step, columns = (LossTable::kCosines - 1) / columnStep + 1;
   const std::vector<double> cosines = tableCosines(LossTable::kCosines);
   const auto evaluate = [&](bool light, size_t stride) {
     std::vector<IntegralQuery> queries;
@@ -385,15 +387,15 @@ Result<LossTable> losses(const ModelSetting& setting) {
       const size_t r = i / columns % rows * step;
       const double across = static_cast<double>(i / columns / rows) / (kAsked - 1);
       queries.push_back({.roughness = roughnesses[r],
-                         .NoV = static_cast<float>(std::max(cosines[i % columns * step], 1e-4)),  // as safeCosine() of shading.glsl
+                         .NoV = static_cast<float>(std::max(cosines[i % columns * columnStep], 1e-4)),  // as safeCosine() of shading.glsl
                          .analyticLight = light,
                          .azimuth = static_cast<float>(azimuthAt(across, static_cast<double>(aspects[r])))});
     }
     return integrals->evaluate(queries);
   };
   const auto whole = [&](std::vector<ModelIntegral> asked) {
+    for (size_t have = columns; have < LossTable::kCosines; have = 2 * have - 1) asked = twiceAsMany(asked, have, 1, 0);
     if (allAround) return asked;
-    asked = twiceAsMany(asked, columns, 1, 0);
     // The floor of alpha is a corner, at the second of these rows.
     if (rows > 1) asked = twiceAsMany(asked, rows, LossTable::kCosines, 1);
     const size_t layer = asked.size() / kAsked;

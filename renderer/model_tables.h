@@ -36,7 +36,7 @@ Result<ProjectedAreaTable> projectedAreas(const ModelSetting&);
 // own colour, not lost to roughness. A specular() that does not follow F0 cannot be asked for white facets: nothing is known
 // to be lost.
 struct LossTable {
-  static constexpr int kCosines = 49, kRoughnesses = 61, kLayers = 25;
+  static constexpr int kCosines = 97, kRoughnesses = 61, kLayers = 25;
   // By azimuth from the tangent (the first) to the bitangent, even in glintAcross() of shaders/common/model_tables.glsl. 1
   // when the model loses the same all around. All quarters are taken as one: its lobe mirrors in both axes.
   int layers = 1;

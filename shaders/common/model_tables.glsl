@@ -1,7 +1,7 @@
 // Tables that Glint derives from a model itself, by cosine and roughness; renderer/model_tables.cpp fills them and has
 // the same numbers. They are close together where either is small: lobes are as narrow as roughness squared.
 #if defined(GLINT_SMITH_OF_OWN_D) || defined(COMPENSATE)
-const vec2 kGlintAreaSize = vec2(97.0, 121.0), kGlintLossSize = vec2(49.0, 61.0);
+const vec2 kGlintAreaSize = vec2(97.0, 121.0), kGlintLossSize = vec2(97.0, 61.0);
 
 float glintTableX(float cosine) { return log(1.0 + cosine * 1e4) * (1.0 / 9.210440366976517); }
 // Up to 0.0223607, where the floor of alpha ends, a thirtieth of the table; then by the logarithm.

@@ -200,6 +200,21 @@ TEST_F(Compensation, WhatReflectsNothingOrNoNumberAddsNothing) {
   }
 }
 
+// What falls as the square of the cosine even where it is smooth is as whole between the table's lines as on them.
+TEST_F(Compensation, SteepLossesAreGivenBackBetweenTheLinesOfTheTable) {
+  for (const char* mix : {"GGX*Implicit*Schlick", "Beckmann*Implicit*Schlick"}) {
+    const auto model = ModelRegistry().get(mix);
+    ASSERT_TRUE(model);
+    const auto integrals = ModelIntegrals::of(**model, {.compensate = true});
+    ASSERT_TRUE(integrals);
+    std::vector<IntegralQuery> queries;
+    for (const float roughness : {0.05f, 0.1f, 0.37f, 0.9f})
+      for (const float NoV : {0.02f, 0.15f, 0.4f, 0.75f, 0.85f, 0.9f, 0.95f}) queries.push_back({.roughness = roughness, .NoV = NoV});
+    const std::vector<ModelIntegral> sums = integrals->evaluate(queries);
+    for (size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(sums[i].specular.g, 1, 5e-3) << mix << " at " << queries[i].roughness << ", " << queries[i].NoV;
+  }
+}
+
 // A sphere under light from everywhere vanishes at every angle and roughness.
 TEST_F(Compensation, WhiteMetalsVanishInTheFurnace) {
   Renderer renderer(*context_);
