@@ -101,9 +101,8 @@ class EnvironmentLighting {
   const std::array<glm::vec2, kLevels>& stretch(const ModelSetting&);
   // Kept. An error is the model's GLSL not compiling. Lives until the next call.
   Result<const LobeWidths*> widths(const ModelSetting&);
-  // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache: for measurements.
+  // Builds the prefiltered cube anew with samples[level] directions a texel, past every cache.
   Result<gl::Texture> prefilter(const EnvironmentPtr&, const ModelSetting&, const std::array<int, kLevels>& samples, Lobe = Lobe::Base);
-
 
  private:
   // What prefilter() draws its samples from, for lobes of some width: the environment without its spots, which it adds by
